@@ -1,0 +1,1 @@
+//! Exact motion of the spherical pendulum.
