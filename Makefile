@@ -1,0 +1,85 @@
+# Every target installs what it needs into .venv and leaves a stamp there, so that the next call starts at once.
+
+PYTHON ?= python3
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.SUFFIXES:
+MAKEFLAGS += --no-builtin-rules
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+
+# A Python environment or an installed kugelpendel around the call must not leak into ours.
+unexport PYTHONPATH PYTHONHOME CONDA_PREFIX
+export VIRTUAL_ENV := $(CURDIR)/.venv
+export UV_SYSTEM_CERTS := 1
+export UV_NO_PROGRESS := 1
+
+BIN := .venv/bin
+STAMPS := .venv/stamps
+UV := $(BIN)/uv
+INSTALL := $(UV) pip install --quiet --compile-bytecode --require-hashes
+
+COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --upgrade --custom-compile-command 'make lock'
+ALL := pyproject.toml --extra run --group install --group build --group test --group check --group bench
+
+RUST_SOURCES := $(shell find crates -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
+
+.PHONY: help run test check bench wheel lock clean
+
+help:  ## list these targets
+	@sed -nE 's/^([a-z]+):.*## (.*)/make \1\t\2/p' Makefile | expand -t 14
+
+run: $(STAMPS)/package  ## the main job: the Panthéon pendulum, its exact motion and precession
+	@$(BIN)/kugelpendel run examples/pantheon.toml
+
+test: $(STAMPS)/package $(STAMPS)/check  ## all tests, Rust and Python
+	cargo test --locked
+	$(BIN)/python -m pytest -n 2
+
+check: $(STAMPS)/package $(STAMPS)/check  ## format, lints, types, import contracts
+	cargo fmt --all --check
+	cargo clippy --locked --workspace --all-targets --quiet -- --deny warnings
+	$(BIN)/ruff check
+	$(BIN)/ruff format --check
+	$(BIN)/pyright
+	$(BIN)/lint-imports
+
+bench: $(STAMPS)/package $(STAMPS)/bench  ## every speed ratio against the peers, from one run
+	$(BIN)/python benchmarks/run.py
+
+wheel: $(STAMPS)/run  ## a wheel in dist/
+	$(BIN)/maturin build --release --locked --out dist
+
+lock: $(STAMPS)/uv  ## newest allowed versions into Cargo.lock and requirements/
+	cargo update
+	$(COMPILE) $(ALL) --output-file $(STAMPS)/all.lock
+	$(COMPILE) --constraint $(STAMPS)/all.lock --group install --output-file requirements/install.lock
+	$(COMPILE) --constraint $(STAMPS)/all.lock pyproject.toml --extra run --group build --output-file requirements/run.lock
+	$(COMPILE) --constraint $(STAMPS)/all.lock --group test --group check --output-file requirements/check.lock
+	$(COMPILE) --constraint $(STAMPS)/all.lock --group bench --output-file requirements/bench.lock
+
+clean:  ## remove everything that the other targets made
+	rm -rf .venv target dist out .pytest_cache .ruff_cache .import_linter_cache .hypothesis src/kugelpendel/_core*.so
+	find src tests benchmarks references -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true
+
+# What the targets stand on.
+
+$(BIN)/python:
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
+	  || { echo "Python 3.11 or newer is needed, $$($(PYTHON) --version 2>&1) found; name one: make PYTHON=python3.12" >&2; exit 2; }
+	@command -v cargo >/dev/null \
+	  || { echo "cargo is needed to build the extension and is not on the PATH; install a Rust toolchain (1.89 or newer)" >&2; exit 2; }
+	$(PYTHON) -m venv --clear .venv
+
+$(STAMPS)/uv: requirements/install.lock | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r $<
+	@mkdir -p $(STAMPS) && touch $@
+
+$(STAMPS)/%: requirements/%.lock $(STAMPS)/uv
+	$(INSTALL) -r $<
+	@touch $@
+
+# Rebuilt when the Rust side or the package's metadata changes; Python files are read where they lie.
+$(STAMPS)/package: $(RUST_SOURCES) pyproject.toml $(STAMPS)/run
+	$(BIN)/maturin develop --release --locked --uv --quiet
+	@touch $@
