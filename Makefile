@@ -34,7 +34,7 @@ run: $(STAMPS)/package  ## the main job: the Panthéon pendulum, its exact motio
 
 test: $(STAMPS)/package $(STAMPS)/check  ## all tests, Rust and Python
 	cargo test --locked
-	$(BIN)/python -m pytest -n 2 --dist loadgroup $(PYTEST)
+	$(BIN)/python -m pytest -n 2 $(PYTEST)
 
 check: $(STAMPS)/package $(STAMPS)/check  ## format, lints, types, import contracts
 	cargo fmt --all --check
