@@ -42,7 +42,7 @@ check: $(STAMPS)/package $(STAMPS)/check  ## format, lints, types, import contra
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
 	$(BIN)/pyright
-	$(BIN)/lint-imports
+	$(BIN)/lint-imports --no-logo
 
 bench: $(STAMPS)/package $(STAMPS)/bench  ## every speed ratio against the peers, from one run
 	$(BIN)/python benchmarks/run.py
