@@ -39,6 +39,7 @@ test: $(STAMPS)/package $(STAMPS)/check  ## all tests, Rust and Python
 check: $(STAMPS)/package $(STAMPS)/check  ## format, lints, types, import contracts
 	cargo fmt --all --check
 	cargo clippy --locked --workspace --all-targets --quiet -- --deny warnings
+	cargo clippy --locked --no-default-features --quiet -- --deny warnings
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
 	$(BIN)/pyright
@@ -48,7 +49,7 @@ bench: $(STAMPS)/package $(STAMPS)/bench  ## every speed ratio against the peers
 	$(BIN)/python benchmarks/run.py
 
 wheel: $(STAMPS)/run  ## a wheel in dist/
-	$(BIN)/maturin build --release --locked --out dist
+	$(BIN)/maturin build --release --locked --interpreter $(BIN)/python --out dist
 
 lock: $(STAMPS)/uv  ## newest allowed versions into Cargo.lock and requirements/
 	cargo update
