@@ -1,0 +1,73 @@
+"""Ten million positions on a uniform grid, beside a memory fill and heyoka's dense output."""
+
+from __future__ import annotations
+
+import cartesian
+import numpy as np
+import reference
+from cartesian import GRAVITY, LENGTH, A, B
+from report import Ratio, Section
+from timing import paired
+
+import kugelpendel as kp
+
+COUNT = 10_000_000
+PART = 500_000  # heyoka's share of the grid, scaled up linearly
+STEPS = (1e-3, 1e-2, 1e-1)  # s: 2000, 200 and 20 samples per period
+ROUNDS = 7
+
+
+def measure() -> Section:
+    motion = kp.ExactMotion(kp.Pendulum(LENGTH, GRAVITY), kp.Launch.ellipse(A, B))
+    integrator = cartesian.heyoka()
+    touched = np.full((COUNT, 3), 1.0)
+    truth = reference.Ellipse(A, B, LENGTH, GRAVITY)
+    ratios, notes = [], []
+    for step in STEPS:
+        grid = step * np.arange(PART)
+
+        def dense(grid: np.ndarray = grid) -> np.ndarray:
+            cartesian.rewind(integrator)
+            return integrator.propagate_grid(grid)[-1]
+
+        contenders = {
+            "ours": lambda step=step: motion.sample(0.0, step, COUNT),
+            "new memory": lambda: np.full((COUNT, 3), 1.0),
+            "touched memory": lambda: touched.fill(1.0),
+            "heyoka": dense,
+        }
+        timings = paired(contenders, ROUNDS)
+        work = f"sample of 1e7 positions, every {step * 1e3:g} ms"
+        ours = timings.seconds("ours")
+        if step == STEPS[0]:
+            fill = timings.seconds("new memory")
+            value = timings.ratio("ours", "new memory")
+            ratios.append(Ratio(work, "numpy.full of the same shape", ours, fill, value, 4.0))
+            again = timings.seconds("touched memory")
+            value = timings.ratio("ours", "touched memory")
+            ratios.append(Ratio(work, "fill of an array in use", ours, again, value))
+        scale = COUNT / PART
+        value = 1 / timings.ratio("ours", "heyoka", scale)
+        whole = timings.seconds("heyoka") * scale
+        ratios.append(Ratio(work, "heyoka propagate_grid", ours, whole, value, 30.0, at_least=True))
+        notes.append(f"Every {step * 1e3:g} ms, {errors(motion, step, dense(), truth)}")
+    notes += [
+        "sample returns new memory, as numpy.full does; the fill of an array in use leaves out "
+        "what the system takes to hand out 240 MB, and is shown for comparison.",
+        f"heyoka ran {PART} points of the grid; its time is scaled by {COUNT / PART:g}.",
+    ]
+    return Section("Sampling on a uniform grid", ratios, (), notes)
+
+
+def errors(motion: kp.ExactMotion, step: float, dense: np.ndarray, truth: reference.Ellipse) -> str:
+    """Largest position error over the last hundred points, ours of both ends, heyoka of its own."""
+    ours = motion.sample(0.0, step, COUNT)
+    found = []
+    for path, end in ((ours, PART), (dense[:, :3], PART), (ours, COUNT)):
+        rows = range(end - 100, end)
+        exact = [[float(q.mid()) for q in truth.position(step * row)] for row in rows]
+        found.append(np.linalg.norm(path[rows] - exact, axis=1).max() / LENGTH)
+    return (
+        f"position error / l after {step * PART:g} s: ours {found[0]:.1e}, heyoka {found[1]:.1e}; "
+        f"after all {step * COUNT:g} s: ours {found[2]:.1e}."
+    )
