@@ -1,0 +1,1 @@
+"""Generator of the reference motions in ``tests/reference/ideal.json``."""
