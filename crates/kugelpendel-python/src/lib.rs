@@ -1,7 +1,199 @@
-//! Python bindings of the `kugelpendel` crate.
+//! Python bindings of the `kugelpendel` crate: flat arrays in, flat arrays out. Shapes, names and units are the Python
+//! side's business.
 
+use kugelpendel::{Ensemble, ExactMotion, Harmonic, Launch, Pendulum, Quantity, Times};
+use numpy::{Complex64, IntoPyArray, PyArray1, PyArrayMethods, PyReadonlyArray1};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+
+/// Motions in a row.
+#[pyclass(frozen, module = "kugelpendel._core")]
+struct ExactMotions {
+    ensemble: Ensemble,
+}
+
+type Numbers<'py> = Bound<'py, PyArray1<f64>>;
+type Harmonics<'py> = (Bound<'py, PyArray1<i32>>, Numbers<'py>, Bound<'py, PyArray1<Complex64>>);
+
+/// Columns of one value for all or of one value each.
+struct Columns<'a>(Vec<&'a [f64]>);
+
+impl Columns<'_> {
+    fn row<const N: usize>(&self, index: usize) -> [f64; N] {
+        std::array::from_fn(|k| if self.0[k].len() == 1 { self.0[k][0] } else { self.0[k][index] })
+    }
+}
+
+/// What turns a row of numbers into a launch of the given kind, and how many numbers it takes.
+fn launcher(kind: &str) -> Option<(usize, fn(&Columns<'_>, usize) -> Launch)> {
+    Some(match kind {
+        "ellipse" => (3, |columns, i| {
+            let [a, b, azimuth] = columns.row(i);
+            Launch::Ellipse { a, b, azimuth }
+        }),
+        "apsides" => (3, |columns, i| {
+            let [a, b, azimuth] = columns.row(i);
+            Launch::Apsides { a, b, azimuth }
+        }),
+        "plane" => (4, |columns, i| {
+            let [x, y, vx, vy] = columns.row(i);
+            Launch::Plane { x, y, vx, vy }
+        }),
+        "angles" => (4, |columns, i| {
+            let [theta, phi, theta_rate, phi_rate] = columns.row(i);
+            Launch::Angles { theta, phi, theta_rate, phi_rate }
+        }),
+        "state" => (6, |columns, i| {
+            let [x, y, z, vx, vy, vz] = columns.row(i);
+            Launch::State { position: [x, y, z], velocity: [vx, vy, vz] }
+        }),
+        _ => return None,
+    })
+}
+
+#[pymethods]
+impl ExactMotions {
+    /// `pendulum`: columns length, gravity, mass; `values`: the launch's columns; each of length 1 or `count`.
+    #[new]
+    fn new(
+        py: Python<'_>,
+        count: usize,
+        pendulum: Vec<PyReadonlyArray1<'_, f64>>,
+        kind: &str,
+        values: Vec<PyReadonlyArray1<'_, f64>>,
+    ) -> PyResult<Self> {
+        let (width, launch) =
+            launcher(kind).ok_or_else(|| PyValueError::new_err(format!("there is no launch of kind {kind:?}")))?;
+        let pendulum = Columns(pendulum.iter().map(PyReadonlyArray1::as_slice).collect::<Result<_, _>>()?);
+        let values = Columns(values.iter().map(PyReadonlyArray1::as_slice).collect::<Result<_, _>>()?);
+        let fits = |columns: &Columns<'_>, width| {
+            columns.0.len() == width && columns.0.iter().all(|column| column.len() == 1 || column.len() == count)
+        };
+        if !fits(&pendulum, 3) || !fits(&values, width) {
+            return Err(PyValueError::new_err(format!("a launch of kind {kind:?} takes {width} columns of 1 or {count}")));
+        }
+        let ensemble = py.detach(|| {
+            Ensemble::new(count, |i| {
+                let [length, gravity, mass] = pendulum.row(i);
+                (Pendulum { length, gravity, mass }, launch(&values, i))
+            })
+        });
+        Ok(Self { ensemble })
+    }
+
+    /// Index and sentence of each bad case.
+    fn problems(&self) -> Vec<(usize, String)> {
+        let motions = self.ensemble.motions().iter().enumerate();
+        motions.filter_map(|(i, motion)| motion.as_ref().err().map(|invalid| (i, invalid.to_string()))).collect()
+    }
+
+    fn position<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {
+        self.scattered(py, Quantity::Position, &times)
+    }
+
+    fn velocity<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {
+        self.scattered(py, Quantity::Velocity, &times)
+    }
+
+    fn sample<'py>(&self, py: Python<'py>, start: f64, step: f64, count: usize) -> Numbers<'py> {
+        let times = Times::Grid { start, step, first: 0 };
+        self.filled(py, 3 * count, |out| self.ensemble.fill(Quantity::Position, times, out))
+    }
+
+    fn tension<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {
+        let times = times.as_slice()?;
+        Ok(self.filled(py, times.len(), |out| self.ensemble.fill_tension(times, out)))
+    }
+
+    fn frequency<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        self.each(py, |motion| [motion.frequency()])
+    }
+
+    fn precession<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        self.each(py, |motion| [motion.precession()])
+    }
+
+    fn radial_period<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        self.each(py, |motion| [motion.radial_period()])
+    }
+
+    fn apsidal_angle<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        self.each(py, |motion| [motion.apsidal_angle()])
+    }
+
+    fn apsis_time<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        self.each(py, |motion| [motion.apsis_time()])
+    }
+
+    fn energy<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        self.each(py, |motion| [motion.energy()])
+    }
+
+    fn angular_momentum<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        self.each(py, |motion| [motion.angular_momentum()])
+    }
+
+    fn slack_time<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        self.each(py, |motion| [motion.slack_time()])
+    }
+
+    fn turning_radii<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        self.each(py, ExactMotion::turning_radii)
+    }
+
+    fn turning_heights<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        self.each(py, ExactMotion::turning_heights)
+    }
+
+    fn tension_range<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        self.each(py, ExactMotion::tension_range)
+    }
+
+    /// (order, frequency, amplitude) in the plan view and of the height, for the motion at `index`.
+    fn spectrum<'py>(&self, py: Python<'py>, index: usize, pairs: usize) -> PyResult<(Harmonics<'py>, Harmonics<'py>)> {
+        let invalid = |error: kugelpendel::Invalid| PyValueError::new_err(error.to_string());
+        let motion = self.ensemble.motions()[index].as_ref().map_err(|error| invalid(error.clone()))?;
+        let spectrum = motion.spectrum(pairs).map_err(invalid)?;
+        Ok((columns(py, &spectrum.plan), columns(py, &spectrum.vertical)))
+    }
+}
+
+impl ExactMotions {
+    fn scattered<'py>(
+        &self,
+        py: Python<'py>,
+        quantity: Quantity,
+        times: &PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Numbers<'py>> {
+        let times = times.as_slice()?;
+        Ok(self.filled(py, 3 * times.len(), |out| self.ensemble.fill(quantity, Times::Scattered(times), out)))
+    }
+
+    /// A new array with `width` numbers for each motion, filled without holding the interpreter.
+    fn filled<'py>(&self, py: Python<'py>, width: usize, fill: impl Fn(&mut [f64]) + Send + Sync) -> Numbers<'py> {
+        // SAFETY: every element is written by `fill` before anyone else sees the array.
+        let array = unsafe { PyArray1::<f64>::new(py, width * self.ensemble.len(), false) };
+        // SAFETY: nobody else has the array yet.
+        let out = unsafe { array.as_slice_mut() }.unwrap_or_default();
+        py.detach(|| fill(out));
+        array
+    }
+
+    fn each<'py, const N: usize>(&self, py: Python<'py>, quantity: impl Fn(&ExactMotion) -> [f64; N]) -> Numbers<'py> {
+        self.ensemble.map(quantity).into_pyarray(py)
+    }
+}
+
+fn columns<'py>(py: Python<'py>, harmonics: &[Harmonic]) -> Harmonics<'py> {
+    let order: Vec<_> = harmonics.iter().map(|h| h.order).collect();
+    let frequency: Vec<_> = harmonics.iter().map(|h| h.frequency).collect();
+    let amplitude: Vec<_> = harmonics.iter().map(|h| Complex64::new(h.amplitude[0], h.amplitude[1])).collect();
+    (order.into_pyarray(py), frequency.into_pyarray(py), amplitude.into_pyarray(py))
+}
 
 /// The compiled part of the Python package.
 #[pymodule]
-mod _core {}
+mod _core {
+    #[pymodule_export]
+    use super::ExactMotions;
+}

@@ -1,1 +1,37 @@
-//! Exact motion of the spherical pendulum.
+//! The exact motion of the spherical pendulum: a bob on a thread, free to swing in every direction.
+//!
+//! ```
+//! use kugelpendel::{ExactMotion, Launch, Pendulum};
+//! let pendulum = Pendulum { length: 67.0, gravity: 9.8094, mass: 28.0 };
+//! let motion = ExactMotion::new(pendulum, Launch::Ellipse { a: 3.0, b: 0.01, azimuth: 0.0 })?;
+//! assert!((motion.precession() / 9.5926e-7 - 1.0).abs() < 1e-2); // rad/s
+//! # Ok::<(), kugelpendel::Invalid>(())
+//! ```
+//!
+//! Conventions: SI; the support at the origin, `z` down, so that the bob rests at (0, 0, l); azimuths, precession and
+//! angular momentum positive counter-clockwise seen from above.
+
+mod arithmetic;
+mod double_double;
+mod elliptic;
+mod ensemble;
+mod exact;
+mod hyperbolic;
+mod invalid;
+mod invariants;
+mod launch;
+mod pendulum;
+mod sampling;
+mod shape;
+mod spectrum;
+mod trigonometric;
+mod turns;
+
+pub use arithmetic::fused;
+pub use ensemble::Ensemble;
+pub use exact::ExactMotion;
+pub use invalid::Invalid;
+pub use launch::{Launch, TOLERANCE};
+pub use pendulum::Pendulum;
+pub use sampling::{Quantity, Times};
+pub use spectrum::{Harmonic, Spectrum};

@@ -1,0 +1,25 @@
+//! What is said when a pendulum, a launch or a request makes no sense.
+
+use std::fmt;
+
+/// A sentence: what was wrong, the value seen, the way out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Invalid(pub String);
+
+impl fmt::Display for Invalid {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Invalid {}
+
+/// `Err(Invalid(format!(…)))` unless the condition holds.
+macro_rules! require {
+    ($condition:expr, $($sentence:tt)+) => {
+        if !$condition {
+            return Err($crate::invalid::Invalid(format!($($sentence)+)));
+        }
+    };
+}
+pub(crate) use require;

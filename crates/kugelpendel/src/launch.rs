@@ -1,0 +1,241 @@
+//! How the motion begins, in the words of whoever launches, and the state that follows from it.
+
+use crate::arithmetic::Arithmetic;
+use crate::double_double::Dd;
+use crate::invalid::{Invalid, require};
+use crate::pendulum::Pendulum;
+
+/// The ways to say it; SI units and radians. `z` points down from the support.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Launch {
+    /// Displaced by `a` towards `azimuth` and pushed sideways with b·ω0, counter-clockwise for b > 0 (Olsson's (16)).
+    Ellipse { a: f64, b: f64, azimuth: f64 },
+    /// Turning radii a ≥ |b| on the lower half, started at the outer one; the sign of b is the sense.
+    Apsides { a: f64, b: f64, azimuth: f64 },
+    /// Plan view; the height follows, on the lower half.
+    Plane { x: f64, y: f64, vx: f64, vy: f64 },
+    /// θ from the downward vertical, φ counter-clockwise from x, and their rates.
+    Angles { theta: f64, phi: f64, theta_rate: f64, phi_rate: f64 },
+    /// Position from the support and velocity; projected onto the sphere and its tangent plane within [`TOLERANCE`].
+    State { position: [f64; 3], velocity: [f64; 3] },
+}
+
+/// How far, relatively, a given state may lie off the sphere or its tangent plane and still be taken for rounding.
+pub const TOLERANCE: f64 = 1e-9;
+
+/// The launch without dimensions: lengths in l, times in 1/ω0. What a motion is computed from.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct State<A> {
+    /// Height above the lowest point, 1 − cos θ, and depth below the highest, 1 + cos θ: each with all its digits.
+    pub height: Dd<A>,
+    pub depth: Dd<A>,
+    /// Rate of the height.
+    pub climb: Dd<A>,
+    /// v².
+    pub speed_squared: Dd<A>,
+    /// x·vy − y·vx.
+    pub angular_momentum: Dd<A>,
+    pub plan: [f64; 2],
+    pub plan_velocity: [f64; 2],
+}
+
+impl Launch {
+    /// # Errors
+    /// A number that is not finite, or a launch that does not lie on the sphere of this pendulum.
+    pub fn check(&self, pendulum: &Pendulum) -> Result<(), Invalid> {
+        let length = pendulum.length;
+        for (name, value, unit) in self.named_values() {
+            require!(value.is_finite(), "The launch's {name} must be a finite number, but it is {value} {unit}.");
+        }
+        match *self {
+            Self::Ellipse { a, .. } => {
+                require!(
+                    a >= 0.0,
+                    "The launch's displacement a must not be negative, but it is {a} m; turn the launch with azimuth \
+                     instead."
+                );
+                require!(
+                    a < length,
+                    "The launch's displacement a = {a} m does not fit on the lower half of a sphere of radius \
+                     {length} m; use Launch.angles or Launch.state for launches from the support's level and above."
+                );
+            }
+            Self::Apsides { a, b, .. } => {
+                require!(
+                    (0.0..length).contains(&a),
+                    "The outer turning radius a must lie between 0 and the length {length} m, but it is {a} m; use \
+                     Launch.angles or Launch.state for motions that rise above the support."
+                );
+                require!(
+                    b.abs() <= a,
+                    "The inner turning radius |b| = {} m must not exceed the outer one, a = {a} m; exchange them and \
+                     turn the launch by 90° with azimuth.",
+                    b.abs()
+                );
+            }
+            Self::Plane { x, y, .. } => {
+                let radius = x.hypot(y);
+                require!(
+                    radius < length,
+                    "The launch point is not on the lower half of the sphere: √(x² + y²) = {radius} m, length = \
+                     {length} m; use Launch.state or Launch.angles from the support's level up."
+                );
+            }
+            Self::Angles { .. } => {}
+            Self::State { position, velocity } => {
+                let radius = norm(position);
+                require!(
+                    (radius - length).abs() <= TOLERANCE * length,
+                    "The launch point is not on the sphere: |r| = {radius} m, length = {length} m; use \
+                     Launch.plane(x, y, vx, vy) to let z follow."
+                );
+                let speed = norm(velocity);
+                let radial = position.iter().zip(velocity).map(|(r, v)| r * v).sum::<f64>() / radius;
+                require!(
+                    radial.abs() <= TOLERANCE * speed,
+                    "The launch velocity would stretch the thread: its component along the thread is {radial} m/s of \
+                     {speed} m/s; take that component away, or use Launch.plane(x, y, vx, vy) to let vz follow."
+                );
+            }
+        }
+        Ok(())
+    }
+
+    /// Padded with zeros to one size, so that checking a launch allocates nothing.
+    fn named_values(&self) -> [(&'static str, f64, &'static str); 6] {
+        const NONE: (&str, f64, &str) = ("", 0.0, "");
+        match *self {
+            Self::Ellipse { a, b, azimuth } | Self::Apsides { a, b, azimuth } => {
+                [("a", a, "m"), ("b", b, "m"), ("azimuth", azimuth, "rad"), NONE, NONE, NONE]
+            }
+            Self::Plane { x, y, vx, vy } => {
+                [("x", x, "m"), ("y", y, "m"), ("vx", vx, "m/s"), ("vy", vy, "m/s"), NONE, NONE]
+            }
+            Self::Angles { theta, phi, theta_rate, phi_rate } => [
+                ("theta", theta, "rad"),
+                ("phi", phi, "rad"),
+                ("theta_rate", theta_rate, "rad/s"),
+                ("phi_rate", phi_rate, "rad/s"),
+                NONE,
+                NONE,
+            ],
+            Self::State { position: [x, y, z], velocity: [vx, vy, vz] } => [
+                ("x", x, "m"),
+                ("y", y, "m"),
+                ("z", z, "m"),
+                ("vx", vx, "m/s"),
+                ("vy", vy, "m/s"),
+                ("vz", vz, "m/s"),
+            ],
+        }
+    }
+
+    /// The dimensionless state; the launch has been checked.
+    #[inline(always)]
+    pub(crate) fn state<A: Arithmetic>(&self, pendulum: &Pendulum, omega0: Dd<A>) -> State<A> {
+        let length = Dd::<A>::from(pendulum.length);
+        match *self {
+            Self::Ellipse { a, b, azimuth } => {
+                let (a, b) = (Dd::from(a) / length, Dd::from(b) / length);
+                State::sideways(height_at(a.square()), a, b, azimuth)
+            }
+            Self::Apsides { a, b, azimuth } => {
+                let sense = b;
+                let (a, b) = (Dd::from(a) / length, Dd::from(b.abs()) / length);
+                let (outer, inner) = (height_at(a.square()), height_at(b.square()));
+                // s_c = 2 + s_a s_b/(2 − s_a − s_b), λ² = 2 s_a s_b s_c: physics of the cubic's roots.
+                let two = Dd::from(2.0);
+                let third = two + outer * inner / (two - outer - inner);
+                // λ/ρ_a = √(2 s_b s_c/(2 − s_a)); √(s_b) = b/√(2 − s_b) keeps a tiny b's digits.
+                let speed = b * (third.scale(2.0) / ((two - inner) * (two - outer))).sqrt();
+                State::sideways(outer, a, if sense < 0.0 { -speed } else { speed }, azimuth)
+            }
+            Self::Plane { x, y, vx, vy } => {
+                let speed_unit = length * omega0;
+                let (x, y) = (Dd::from(x) / length, Dd::from(y) / length);
+                let (vx, vy) = (Dd::from(vx) / speed_unit, Dd::from(vy) / speed_unit);
+                let radius_squared = x.square() + y.square();
+                let height = height_at(radius_squared);
+                let climb = (x * vx + y * vy) / (Dd::ONE - height);
+                State {
+                    height,
+                    depth: Dd::from(2.0) - height,
+                    climb,
+                    speed_squared: vx.square() + vy.square() + climb.square(),
+                    angular_momentum: x * vy - y * vx,
+                    plan: [x.hi, y.hi],
+                    plan_velocity: [vx.hi, vy.hi],
+                }
+            }
+            Self::Angles { theta, phi, theta_rate, phi_rate } => {
+                let (half_sine, half_cosine) = Dd::<A>::sin_cos(0.5 * theta);
+                let (height, depth) = (half_sine.square().scale(2.0), half_cosine.square().scale(2.0));
+                let sine = (half_sine * half_cosine).scale(2.0);
+                let (polar, azimuthal) = (Dd::from(theta_rate) / omega0, sine * (Dd::from(phi_rate) / omega0));
+                let (sin_phi, cos_phi) = phi.sin_cos();
+                let outward = (Dd::ONE - height).hi * polar.hi;
+                State {
+                    height,
+                    depth,
+                    climb: sine * polar,
+                    speed_squared: polar.square() + azimuthal.square(),
+                    angular_momentum: sine * azimuthal,
+                    plan: [sine.hi * cos_phi, sine.hi * sin_phi],
+                    plan_velocity: [
+                        outward * cos_phi - azimuthal.hi * sin_phi,
+                        outward * sin_phi + azimuthal.hi * cos_phi,
+                    ],
+                }
+            }
+            Self::State { position, velocity } => {
+                let speed_unit = length * omega0;
+                let r = position.map(Dd::<A>::from);
+                let radius = (r[0].square() + r[1].square() + r[2].square()).sqrt();
+                let [x, y, z] = r.map(|c| c / radius);
+                let v = velocity.map(|c| Dd::<A>::from(c) / speed_unit);
+                let radial = x * v[0] + y * v[1] + z * v[2];
+                let [vx, vy, vz] = [v[0] - radial * x, v[1] - radial * y, v[2] - radial * z];
+                let radius_squared = x.square() + y.square();
+                let nearer = radius_squared / (Dd::ONE + z.abs());
+                let farther = Dd::ONE + z.abs();
+                let (height, depth) = if z.hi >= 0.0 { (nearer, farther) } else { (farther, nearer) };
+                State {
+                    height,
+                    depth,
+                    climb: -vz,
+                    speed_squared: vx.square() + vy.square() + vz.square(),
+                    angular_momentum: x * vy - y * vx,
+                    plan: [x.hi, y.hi],
+                    plan_velocity: [vx.hi, vy.hi],
+                }
+            }
+        }
+    }
+}
+
+impl<A: Arithmetic> State<A> {
+    /// At a turning point: horizontal radius, and speed at right angles to it.
+    #[inline(always)]
+    fn sideways(height: Dd<A>, radius: Dd<A>, speed: Dd<A>, azimuth: f64) -> Self {
+        let (sin, cos) = azimuth.sin_cos();
+        Self {
+            height,
+            depth: Dd::from(2.0) - height,
+            climb: Dd::ZERO,
+            speed_squared: speed.square(),
+            angular_momentum: radius * speed,
+            plan: [radius.hi * cos, radius.hi * sin],
+            plan_velocity: [-speed.hi * sin, speed.hi * cos],
+        }
+    }
+}
+
+/// s = ρ²/(1 + √(1 − ρ²)), the height on the lower half without cancellation.
+#[inline(always)]
+fn height_at<A: Arithmetic>(radius_squared: Dd<A>) -> Dd<A> {
+    radius_squared / (Dd::ONE + (Dd::ONE - radius_squared).sqrt())
+}
+
+fn norm(v: [f64; 3]) -> f64 {
+    v[0].hypot(v[1]).hypot(v[2])
+}

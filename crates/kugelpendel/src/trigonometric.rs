@@ -1,0 +1,187 @@
+//! The closed form as theta series in the swing's own angle ζ: every motion but those next to the separatrix.
+//!
+//! In the frame turning with the precession, x + iy ∝ αβ with α = θ1(ζ − iη0)/θ4(ζ) and β = θ3(ζ + iη2)/θ4(ζ), or
+//! β = θ2(ζ − iη1)/θ4(ζ) for paths near the top, where |α|² ∝ s and |β|² ∝ 2 − s (Whittaker, Analytical Dynamics,
+//! §55; theta functions as in DLMF 20.2). The series are cut where the next term is below 2e-17 and summed as
+//! polynomials in cos 2ζ.
+
+use crate::arithmetic::Arithmetic;
+use crate::elliptic::Ladder;
+use crate::invariants::Invariants;
+use crate::shape::{Factor, Scales, Shape};
+
+/// Terms beyond the first: q^(DEGREE + 1)² < 2e-17 for the nomes up to 0.21 that are left to this chart.
+pub(crate) const MAX_DEGREE: usize = 4;
+type Polynomial = [f64; MAX_DEGREE + 1];
+
+/// Largest nome for each degree.
+const NOME_LIMITS: [f64; MAX_DEGREE - 1] = [6.0e-5, 0.0134, 0.0885];
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Trigonometric {
+    pub(crate) degree: usize,
+    /// β is the theta_2 form: odd harmonics, like α.
+    pub(crate) from_above: bool,
+    /// What the spectrum needs: q, q·e^{2η0}, and η2 (from above η1).
+    pub(crate) poles: [f64; 3],
+    scales: Scales,
+    alpha: Series,
+    beta: Series,
+    /// θ4, real.
+    delta: Series,
+}
+
+impl Trigonometric {
+    pub(crate) fn new(invariants: &Invariants, ladder: &Ladder) -> Self {
+        let turning = &invariants.turning;
+        let nome = ladder.nome();
+        let from_above = invariants.precession_from_above.is_some();
+        let [lower, upper] = invariants.first_zeta_terms();
+        let (lower, lower_reduced) = ladder.imaginary_argument(lower);
+        let (upper, upper_reduced) = ladder.imaginary_argument(upper);
+        let mut chart = Self {
+            degree: 1 + NOME_LIMITS.iter().filter(|&&limit| nome > limit).count(),
+            from_above,
+            poles: [nome, lower_reduced, upper],
+            scales: Scales { plan: 1.0, height: 1.0, sense: invariants.sense },
+            alpha: Series::odd(nome, lower, lower_reduced, -1.0),
+            beta: if from_above {
+                Series::odd(nome, upper, upper_reduced, 1.0)
+            } else {
+                Series::even(nome, upper, 1.0)
+            },
+            delta: Series::even(nome, 0.0, -1.0),
+        };
+        // |α|² is largest at the highest point, |β|² at the lowest: there the scales lose nothing.
+        let top = chart.at_any::<false>(0.0, 1.0).height;
+        let bottom = chart.beta_at_bottom();
+        chart.scales.height = turning.high / top;
+        chart.scales.plan = (chart.scales.height * turning.low_depth).sqrt() / bottom;
+        chart
+    }
+
+    /// |β| at ζ = 0, the scales aside.
+    fn beta_at_bottom(&self) -> f64 {
+        let sum = |p: &Polynomial| p.iter().sum::<f64>();
+        sum(&self.beta.re).abs() / sum(&self.delta.re)
+    }
+
+    /// [`Self::at`] with the degree looked up: for single points.
+    pub(crate) fn at_any<const RATES: bool>(&self, cos: f64, sin: f64) -> Shape {
+        type Portable = crate::arithmetic::Portable;
+        if self.from_above {
+            self.at::<Portable, MAX_DEGREE, true, RATES>(cos, sin)
+        } else {
+            self.at::<Portable, MAX_DEGREE, false, RATES>(cos, sin)
+        }
+    }
+
+    /// The point at ζ, given cos ζ and sin ζ.
+    #[inline(always)]
+    pub(crate) fn at<A: Arithmetic, const DEGREE: usize, const FROM_ABOVE: bool, const RATES: bool>(
+        &self,
+        cos: f64,
+        sin: f64,
+    ) -> Shape {
+        let (cos2, sin2) = ((cos - sin) * (cos + sin), 2.0 * sin * cos);
+        let alpha = self.alpha.at::<A, DEGREE, RATES>(cos2, [cos, sin]);
+        let beta = self.beta.at::<A, DEGREE, RATES>(cos2, if FROM_ABOVE { [cos, sin] } else { [1.0, sin2] });
+        let delta = horner::<A, DEGREE>(&self.delta.re, cos2);
+        let delta_rate = if RATES { sin2 * horner::<A, DEGREE>(&self.delta.re_rate, cos2) } else { 0.0 };
+        self.scales.shape::<RATES>(alpha, beta, delta, delta_rate)
+    }
+}
+
+/// Polynomials in cos 2ζ. Odd series: re, im go with cos ζ, sin ζ; even ones with 1, sin 2ζ; the rates the other way.
+#[derive(Clone, Copy, Debug)]
+struct Series {
+    re: Polynomial,
+    im: Polynomial,
+    re_rate: Polynomial,
+    im_rate: Polynomial,
+}
+
+impl Series {
+    #[inline(always)]
+    fn at<A: Arithmetic, const DEGREE: usize, const RATES: bool>(&self, cos2: f64, [c, s]: [f64; 2]) -> Factor {
+        let mut factor = Factor {
+            re: c * horner::<A, DEGREE>(&self.re, cos2),
+            im: s * horner::<A, DEGREE>(&self.im, cos2),
+            ..Factor::default()
+        };
+        if RATES {
+            factor.re_rate = s * horner::<A, DEGREE>(&self.re_rate, cos2);
+            factor.im_rate = c * horner::<A, DEGREE>(&self.im_rate, cos2);
+        }
+        factor
+    }
+
+    /// θ1(ζ − iη)·2i (sign −1) or θ2(ζ − iη)·2 (sign +1), divided by q^{1/4}e^η; `reduced` is q·e^{2η}.
+    fn odd(nome: f64, eta: f64, reduced: f64, sign: f64) -> Self {
+        let (mut growing, mut fading) = (Polynomial::default(), Polynomial::default());
+        let mut weight = 1.0; // (±1)^n q^{n²} (q e^{2η})^n
+        for n in 0..=MAX_DEGREE {
+            let order = (2 * n + 1) as f64;
+            let difference = -(-2.0 * order * eta).exp_m1();
+            growing[n] = weight * (2.0 - difference);
+            fading[n] = weight * difference;
+            weight *= sign * nome.powi(2 * n as i32 + 1) * reduced;
+        }
+        let (re, im) = if sign < 0.0 { (fading, growing) } else { (growing, fading) };
+        let orders = |n: usize| (2 * n + 1) as f64;
+        let (cos_basis, sin_basis) = ([[1.0, 0.0], [-1.0, 2.0]], [[1.0, 0.0], [1.0, 2.0]]);
+        Self {
+            re: expand(re, cos_basis),
+            im: expand(im, sin_basis),
+            re_rate: expand(std::array::from_fn(|n| -orders(n) * re[n]), sin_basis),
+            im_rate: expand(std::array::from_fn(|n| orders(n) * im[n]), cos_basis),
+        }
+    }
+
+    /// θ3(ζ + iη) (sign +1) or θ4(ζ + iη) (sign −1).
+    fn even(nome: f64, eta: f64, sign: f64) -> Self {
+        let (mut re, mut im) = (Polynomial::default(), Polynomial::default());
+        re[0] = 1.0;
+        let mut power = 1.0;
+        for n in 1..=MAX_DEGREE {
+            power *= sign * nome.powi(2 * n as i32 - 1); // (±1)^n q^{n²}
+            let growth = 2.0 * n as f64 * eta;
+            re[n] = 2.0 * power * growth.cosh();
+            im[n] = -2.0 * power * growth.sinh();
+        }
+        let orders = |n: usize| (2 * n) as f64;
+        let (cos_basis, sin_basis) = ([[1.0, 0.0], [0.0, 1.0]], [[0.0, 0.0], [1.0, 0.0]]);
+        Self {
+            re: expand(re, cos_basis),
+            im: expand(im, sin_basis),
+            re_rate: expand(std::array::from_fn(|n| -orders(n) * re[n]), sin_basis),
+            im_rate: expand(std::array::from_fn(|n| orders(n) * im[n]), cos_basis),
+        }
+    }
+}
+
+/// Σ weights[n]·p_n as a polynomial in c = cos 2ζ, where p_{n+1} = 2c p_n − p_{n−1} starts with the two linear p_0, p_1:
+/// multiple angles in powers.
+fn expand(weights: Polynomial, [first, second]: [[f64; 2]; 2]) -> Polynomial {
+    let mut basis = [Polynomial::default(); MAX_DEGREE + 1];
+    basis[0][..2].copy_from_slice(&first);
+    basis[1][..2].copy_from_slice(&second);
+    for n in 1..MAX_DEGREE {
+        for k in 0..=MAX_DEGREE {
+            let raised = if k > 0 { 2.0 * basis[n][k - 1] } else { 0.0 };
+            basis[n + 1][k] = raised - basis[n - 1][k];
+        }
+    }
+    std::array::from_fn(|k| weights.iter().zip(&basis).map(|(weight, p)| weight * p[k]).sum())
+}
+
+#[inline(always)]
+fn horner<A: Arithmetic, const DEGREE: usize>(polynomial: &Polynomial, x: f64) -> f64 {
+    let mut value = polynomial[DEGREE];
+    let mut k = DEGREE;
+    while k > 0 {
+        k -= 1;
+        value = A::mul_add(value, x, polynomial[k]);
+    }
+    value
+}
