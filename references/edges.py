@@ -19,16 +19,28 @@ def edges() -> Iterator[Case]:
 
 
 def _cones() -> Iterator[Case]:
-    for n, theta in enumerate((1e-6, 1e-4, 1e-3, 0.01, 0.05, 0.1, 0.2, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.5, 1.55, 1.57)):
+    for n, theta in enumerate(
+        (1e-6, 1e-4, 1e-3, 0.01, 0.05, 0.1, 0.2, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.5, 1.55, 1.57)
+    ):
         length = 0.6 + 0.7 * n
         state = (theta, 0.5 * n - 3, 0.0, sqrt(G / length / cos(theta)) * (-1) ** n)
         yield Case("conical", length, G, "angles", state, times(length, G, LONG))
 
 
 def _exact_cones() -> Iterator[Case]:
-    """Whole numbers x² + y² + z² = l² with gravity z and velocity (−y, x): the height stays the same exactly."""
+    """Cones exact in binary64: whole x² + y² + z² = l², gravity z, velocity (−y, x)."""
     for n, (x, y, z) in enumerate(
-        ((3, 0, 4), (4, 0, 3), (12, 0, 5), (7, 0, 24), (1, 2, 2), (2, 3, 6), (6, 3, 2), (1, -4, 8), (7, 4, 4))
+        (
+            (3, 0, 4),
+            (4, 0, 3),
+            (12, 0, 5),
+            (7, 0, 24),
+            (1, 2, 2),
+            (2, 3, 6),
+            (6, 3, 2),
+            (1, -4, 8),
+            (7, 4, 4),
+        )
     ):
         yield _exact_cone(x, y, z, 1.0, (-1) ** n)
     for power, scale in ((10, 17), (20, 37)):
@@ -39,14 +51,22 @@ def _exact_cones() -> Iterator[Case]:
 def _exact_cone(x: int, y: int, z: int, scale: float, sense: int) -> Case:
     length, gravity = sqrt(x * x + y * y + z * z) * scale, z * scale
     state = (x * scale, y * scale, -y * scale * sense + 0.0, x * scale * sense)
-    return Case("cone-exact", length, gravity, "plane", state, times(length, gravity, LONG), motion="cone")
+    return Case(
+        "cone-exact", length, gravity, "plane", state, times(length, gravity, LONG), motion="cone"
+    )
 
 
 def _near_cones() -> Iterator[Case]:
-    for n, off in enumerate((1e-14, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1)):
+    for n, off in enumerate(
+        (1e-14, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1)
+    ):
         theta, length = (0.02, 0.3, 0.7, 1.1, 1.45)[n % 5], 0.8 + 1.1 * n
         spin = sqrt(G / length / cos(theta)) * (-1) ** n
-        state = (theta, 1.0, off * spin, spin) if n % 2 else (theta, 1.0, 0.0, spin * (1 + off * (-1) ** (n // 2)))
+        state = (
+            (theta, 1.0, off * spin, spin)
+            if n % 2
+            else (theta, 1.0, 0.0, spin * (1 + off * (-1) ** (n // 2)))
+        )
         yield Case("near-conical", length, G, "angles", state, times(length, G, SHORT))
 
 
@@ -55,7 +75,9 @@ def _near_separatrix() -> Iterator[Case]:
         length = 0.9 + 0.8 * n
         rate = sqrt(G / length)
         yield _near((pi - off, 1.0, 0.0, 0.0), length, G, "plane")
-        yield _near((pi - 0.7 * off, -2.0, 0.0, rate * (0.3, -1.0, 5.0)[n % 3]), length, G, "general")
+        yield _near(
+            (pi - 0.7 * off, -2.0, 0.0, rate * (0.3, -1.0, 5.0)[n % 3]), length, G, "general"
+        )
         if n % 2:
             yield _near((0.0, 0.4, 2 * rate * (1 + off), 0.0), length, G, "plane")
             yield _near((1.0, 0.4, 2 * rate * cos(0.5) * (1 - off), 1e-7 * n), length, G, "general")

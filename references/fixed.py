@@ -1,7 +1,8 @@
 """Fixed-point numbers: an ``int`` n with ``bits`` stands for n / 2**bits.
 
-All integration runs on Python's integers, so a result is the same on every machine. Elementary functions come from
-Arb (python-flint), at ``PRECISION`` bits, far above any fixed-point format used here.
+All integration runs on Python's integers, so a result is the same on every machine. Elementary
+functions come from Arb (python-flint), at ``PRECISION`` bits, far above any fixed-point format used
+here.
 """
 
 from flint import arb, ctx, fmpz
@@ -27,7 +28,7 @@ def to_arb(value: int, bits: int) -> arb:
 
 
 def decimal(value: arb, floor: arb | None = None) -> str:
-    """``value`` with 25 significant digits; "0" where it is below ``floor`` in size (rounding noise around an exact 0)."""
+    """25 significant digits; "0" for what is below ``floor`` in size, the noise around a 0."""
     if floor is not None and abs(value) < floor:
         return "0"
     text = value.str(DIGITS, radius=False)

@@ -15,9 +15,9 @@ Vector = tuple[arb, arb, arb]
 class Case:
     """One reference motion. SI units; every number is a binary64 number taken exactly.
 
-    ``motion`` names what the generator has to know beforehand: "general", "plane" (angular momentum exactly 0),
-    "separatrix", "cone" (height exactly constant), "rest", "upright". ``check`` is the time in small-oscillation
-    periods up to which the direct integration is run as a check.
+    ``motion`` names what the generator has to know beforehand: "general", "plane" (angular momentum
+    exactly 0), "separatrix", "cone" (height exactly constant), "rest", "upright". ``check`` is the
+    time in small-oscillation periods up to which the direct integration is run as a check.
     """
 
     regime: str
@@ -52,7 +52,9 @@ class Start:
     @property
     def energy(self) -> arb:
         """J/kg above the lowest point."""
-        return _dot(self.velocity, self.velocity) / 2 + self.gravity * (self.length - self.position[2])
+        return _dot(self.velocity, self.velocity) / 2 + self.gravity * (
+            self.length - self.position[2]
+        )
 
     @property
     def angular_momentum(self) -> arb:
@@ -71,8 +73,8 @@ class Start:
 def start(kind: str, inputs: list[arb]) -> Start:
     """The start of a launch from length, gravity and its state.
 
-    A "state" that is off the sphere (only the perturbed ones are) is moved radially onto it, and the radial part of its
-    velocity dropped.
+    A "state" that is off the sphere (only the perturbed ones are) is moved radially onto it, and
+    the radial part of its velocity dropped.
     """
     length, gravity, *given = inputs
     if kind == "angles":

@@ -20,16 +20,32 @@ def picked() -> Iterator[Case]:
     yield from _long()
 
 
-def _case(regime: str, length: float, kind: str, state: tuple[float, ...], gravity: float = G, **more: object) -> Case:
-    periods = more.pop("periods", SHORT)
-    return Case(regime, length, gravity, kind, state, times(length, gravity, periods), **more)  # type: ignore[arg-type]
+def _case(
+    regime: str,
+    length: float,
+    kind: str,
+    state: tuple[float, ...],
+    gravity: float = G,
+    motion: str = "general",
+    periods: tuple[float, ...] = SHORT,
+    check: float = 6.0,
+) -> Case:
+    when = times(length, gravity, periods)
+    return Case(regime, length, gravity, kind, state, when, motion, check)
 
 
 def _from_rest() -> Iterator[Case]:
     for n, theta in enumerate(
         (1e-6, 1e-4, 1e-3, 0.01, 0.1, -0.3, 0.7, 1.0, 1.4, pi / 2, 1.8, 2.3, 2.8, 3.0, 3.1)
     ):
-        yield _case("from-rest", 0.5 + 1.3 * n, "angles", (theta, 0.4 * n - 2, 0.0, 0.0), motion="plane", periods=LONG)
+        yield _case(
+            "from-rest",
+            0.5 + 1.3 * n,
+            "angles",
+            (theta, 0.4 * n - 2, 0.0, 0.0),
+            motion="plane",
+            periods=LONG,
+        )
 
 
 def _through_bottom() -> Iterator[Case]:
@@ -60,7 +76,16 @@ def _rotation() -> Iterator[Case]:
 
 def _at_turning_points() -> Iterator[Case]:
     for n, (theta, fraction) in enumerate(
-        ((1e-3, 0.5), (0.3, 0.9), (1.2, -0.2), (1.2, 1.7), (1.5, -3.0), (2.0, 0.4), (2.9, -1.0), (0.01, -2.0))
+        (
+            (1e-3, 0.5),
+            (0.3, 0.9),
+            (1.2, -0.2),
+            (1.2, 1.7),
+            (1.5, -3.0),
+            (2.0, 0.4),
+            (2.9, -1.0),
+            (0.01, -2.0),
+        )
     ):
         length = 0.7 + n
         state = (theta, 0.3 * n - 1, 0.0, fraction * sqrt(G / length))
@@ -87,22 +112,39 @@ def _still() -> Iterator[Case]:
     yield _case("rest", 67.0, "plane", (0.0, 0.0, 0.0, 0.0), motion="rest")
     yield _case("rest", 0.1, "state", (0.0, 0.0, 0.1, 0.0, 0.0, 0.0), motion="rest")
     yield _case("upright", 1.0, "state", (0.0, 0.0, -1.0, 0.0, 0.0, 0.0), motion="upright")
-    yield _case("upright", 67.3, "state", (0.0, 0.0, -67.3, 0.0, 0.0, 0.0), gravity=1.62, motion="upright")
+    yield _case(
+        "upright", 67.3, "state", (0.0, 0.0, -67.3, 0.0, 0.0, 0.0), gravity=1.62, motion="upright"
+    )
     falling = (0.0, 0.05, 0.5, 2.0, 4.0)
     yield _case("near-upright", 1.0, "angles", (pi, 0.0, 0.0, 0.0), motion="plane", periods=falling)
-    yield _case("near-upright", 3.0, "angles", (nextafter(pi, 4), 1.0, 0.0, 0.0), motion="plane", periods=falling)
+    yield _case(
+        "near-upright",
+        3.0,
+        "angles",
+        (nextafter(pi, 4), 1.0, 0.0, 0.0),
+        motion="plane",
+        periods=falling,
+    )
     yield _case("near-upright", 3.0, "angles", (pi, 1.0, 0.0, 0.3), periods=falling)
 
 
 def _long() -> Iterator[Case]:
     far = (0.0, 97.3, 1500.0, 1e4, 1e6, 1e9)
     for n, (a, b, check) in enumerate(
-        ((1e-8, 1e-8, 1e4), (1e-8, -1e-9, 100), (1e-5, 3e-6, 1e4), (0.01, -0.002, 2e3), (0.3, 0.1, 300))
+        (
+            (1e-8, 1e-8, 1e4),
+            (1e-8, -1e-9, 100),
+            (1e-5, 3e-6, 1e4),
+            (0.01, -0.002, 2e3),
+            (0.3, 0.1, 300),
+        )
     ):
         length = 2.0 + 7 * n
         state = ellipse(length, G, a * length, b * length, 0.1 * n, 0.5 * n)
         yield _case("long", length, "plane", state, periods=far, check=check)
-    yield _case("long", 67.0, "plane", (3.0, 0.0, 0.0, 0.01), gravity=9.8094, periods=far, check=100)
+    yield _case(
+        "long", 67.0, "plane", (3.0, 0.0, 0.0, 0.01), gravity=9.8094, periods=far, check=100
+    )
     yield _case("long", 1.0, "angles", (2.2, 0.3, 0.4, -0.9), periods=far, check=100)
     yield _case("long", 1.0, "angles", (1.0, 0.3, 0.0, 0.0), periods=far, motion="plane", check=100)
     yield _case("long", 1.0, "angles", (0.0, 0.3, 9.0, 0.0), periods=far, motion="plane", check=100)

@@ -15,7 +15,10 @@ NEAR_TOP = 1e-12
 
 @dataclass(frozen=True)
 class Result:
-    """Numbers of one motion: states scaled by length and ω0 (fixed point), the rest in SI units; None has no meaning."""
+    """Numbers of one motion: states in lengths and length·ω0 (fixed point), the rest in SI units.
+
+    None stands for what has no meaning.
+    """
 
     start: Start
     bits: int
@@ -32,10 +35,11 @@ def solve(
     bits: int = BITS,
     law: Law = normalised,
 ) -> Result:
-    """Integrate a case, or the same launch with other inputs (then ``motion`` says what they make of it).
+    """Integrate a case, or the same launch with other inputs, which may make another motion of it.
 
-    Two kinds get 128 bits more: small motions (on a circle of 1e-9 lengths the height varies by 1e-34 lengths, and the
-    turning points have to be found in that), and those that come to a near stop at the top.
+    Two kinds get 128 bits more: small motions (on a circle of 1e-9 lengths the height varies by
+    1e-34 lengths, and the turning points have to be found in that), and those that come to a near
+    stop at the top.
     """
     begin = start(case.kind, inputs or [arb(v) for v in case.inputs])
     motion = motion or case.motion

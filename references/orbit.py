@@ -1,8 +1,9 @@
 """One integrated radial period, and what follows from it by symmetry.
 
-The height of an ideal pendulum is periodic, and so is its motion up to a turn about the vertical: with T the time from
-one highest point to the next, x + iy at t + T is x + iy at t times one constant of modulus 1. T, that constant, and the
-motion over one T are integrated; later times follow from them. ``verify.py`` integrates straight through instead.
+The height of an ideal pendulum is periodic, and so is its motion up to a turn about the vertical:
+with T the time from one highest point to the next, x + iy at t + T is x + iy at t times one
+constant of modulus 1. T, that constant, and the motion over one T are integrated; later times
+follow from them. ``verify.py`` integrates straight through instead.
 """
 
 from bisect import bisect_left
@@ -18,9 +19,10 @@ BITS = 256
 
 
 class Path:
-    """A motion integrated straight through as far as it is asked for (times in 1/ω0, fixed point).
+    """A motion integrated straight through as far as asked for (times in 1/ω0, fixed point).
 
-    With ``keep=False`` the steps already passed are forgotten, and times must be asked for in rising order.
+    With ``keep=False`` the steps already passed are forgotten, and times must be asked for in
+    rising order.
     """
 
     def __init__(
@@ -49,14 +51,15 @@ class Path:
 
 
 class Orbit:
-    """Radial period and apsidal turn of a motion whose height oscillates, and its state at any time.
+    """Radial period and apsidal turn where the height oscillates, and the state at any time.
 
     Parameters
     ----------
     start
         Exact launch; energy other than that of the separatrix, height not constant.
     plane
-        Whether the angular momentum is exactly 0: the turn per period is then exactly π (libration) or 2π (rotation).
+        Whether the angular momentum is exactly 0: the turn per period is then exactly π (libration)
+        or 2π (rotation).
     """
 
     def __init__(self, start: Start, plane: bool, bits: int = BITS, law: Law = normalised) -> None:
@@ -111,7 +114,7 @@ class Orbit:
 
 
 def _root(segment: Segment, left: int, right: int) -> int:
-    """Zero of dz/dt between two times with dz/dt < 0 at the left one and > 0 at the right one, by bracketed Newton."""
+    """Zero of dz/dt, negative at the left time and positive at the right one; bracketed Newton."""
     low, high = segment.fraction(left), segment.fraction(right)
     tau = (low + high) // 2
     for _ in range(200):

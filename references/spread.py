@@ -1,8 +1,8 @@
 """How far a motion moves when its binary64 inputs move by half a unit in the last place.
 
-That is the error no binary64 program can be blamed for. Every input moves by a fraction 2**-70 of itself, one at a time;
-differences are taken in 224-bit arithmetic, so they are derivatives to many more digits than the two that matter.
-Inputs that are exactly 0 do not move.
+That is the error no binary64 program can be blamed for. Every input moves by a fraction 2**-70 of
+itself, one at a time; differences are taken in 224-bit arithmetic, so they are derivatives to many
+more digits than the two that matter. Inputs that are exactly 0 do not move.
 """
 
 from dataclasses import dataclass
@@ -21,7 +21,10 @@ BITS = 224
 
 @dataclass(frozen=True)
 class Spread:
-    """Σ over inputs of |derivative|·half ulp: of position / length at each time, of frequency and precession relative."""
+    """Σ over inputs of |derivative|·half ulp.
+
+    Of position / length at each time; of frequency and precession relative, None without meaning.
+    """
 
     position: list[float]
     frequency: float | None
@@ -66,7 +69,9 @@ def _distance(base: Result, moved: Result, n: int) -> float:
     """|Δ position| / (length · nudge) at time n."""
     pairs = zip(base.states[n][:3], moved.states[n][:3], strict=True)
     ratio = moved.start.length / base.start.length
-    squares = ((fixed.to_arb(a, base.bits) - fixed.to_arb(b, moved.bits) * ratio) ** 2 for a, b in pairs)
+    squares = (
+        (fixed.to_arb(a, base.bits) - fixed.to_arb(b, moved.bits) * ratio) ** 2 for a, b in pairs
+    )
     return float((sum(squares, arb(0)) ** arb(0.5)) / NUDGE)
 
 

@@ -11,24 +11,30 @@ from .motion import Result
 from .spread import Spread
 
 ABOUT = (
-    "Ideal spherical pendulum, written by references/generate.py. SI units; z is measured down from the support. "
-    "Inputs are binary64 numbers taken exactly. State: kind 'angles' = theta, phi, theta rate, phi rate; kind 'plane' = "
-    "x, y, vx, vy on the lower hemisphere; kind 'state' = x, y, z, vx, vy, vz, exactly on the sphere and tangent to it. "
-    "position, velocity: Taylor integration in 256-bit fixed point, every number to 25 significant digits, or to 1e-26 of "
-    "its largest size in the case where it passes through 0. energy (above the lowest point) and angular momentum are "
-    "per unit mass. spread: sum over the inputs of |derivative of position| times half a unit in the last place of the "
-    "input, as a fraction of the length; frequency_spread and precession_spread: the same, relative. Inputs equal to 0 "
-    "do not move. frequency, precession in rad/s; radial_period in s: time between two successive highest points. "
-    "motion 'plane' (angular momentum exactly 0): precession 0; frequency pi/radial_period for libration, "
-    "2 pi/radial_period for rotation over the top, where radial_period is one revolution. 'cone' (height exactly "
-    "constant): limits of the near cones. 'separatrix': frequency 0, radial_period inf. 'rest': small-oscillation limit. "
-    "'upright' (balanced on the top): frequency, precession and radial_period have no meaning and are null. Spreads that "
-    "have no meaning are null. checked_periods: how far, in small-oscillation periods 2 pi sqrt(length/gravity), straight "
-    "integration confirmed the states; those after it follow from one integrated radial period by symmetry."
+    "Ideal spherical pendulum, written by references/generate.py. SI units; z is measured down "
+    "from the support. Inputs are binary64 numbers taken exactly. State: kind 'angles' = theta, "
+    "phi, theta rate, phi rate; kind 'plane' = x, y, vx, vy on the lower hemisphere; kind 'state'"
+    " = x, y, z, vx, vy, vz, exactly on the sphere and tangent to it. position, velocity: Taylor "
+    "integration in 256-bit fixed point, every number to 25 significant digits, or to 1e-26 of "
+    "its largest size in the case where it passes through 0. energy (above the lowest point) and "
+    "angular momentum are per unit mass. spread: sum over the inputs of |derivative of position| "
+    "times half a unit in the last place of the input, as a fraction of the length; "
+    "frequency_spread and precession_spread: the same, relative. Inputs equal to 0 do not move. "
+    "frequency, precession in rad/s; radial_period in s: time between two successive highest "
+    "points. motion 'plane' (angular momentum exactly 0): precession 0; frequency "
+    "pi/radial_period for libration, 2 pi/radial_period for rotation over the top, where "
+    "radial_period is one revolution. 'cone' (height exactly constant): limits of the near cones."
+    " 'separatrix': frequency 0, radial_period inf. 'rest': small-oscillation limit. 'upright' "
+    "(balanced on the top): frequency, precession and radial_period have no meaning and are null."
+    " Spreads that have no meaning are null. checked_periods: how far, in small-oscillation "
+    "periods 2 pi sqrt(length/gravity), straight integration confirmed the states; those after it"
+    " follow from one integrated radial period by symmetry."
 )
 
 
-def entry(name: str, case: Case, result: Result, spread: Spread, reached: float) -> dict[str, object]:
+def entry(
+    name: str, case: Case, result: Result, spread: Spread, reached: float
+) -> dict[str, object]:
     """One case as it is stored."""
     noise = arb(2) ** (40 - result.bits)
     length, speed = result.start.length, result.start.length * result.start.angular_frequency
@@ -59,7 +65,9 @@ def entry(name: str, case: Case, result: Result, spread: Spread, reached: float)
         "frequency": one(result.frequency),
         "frequency_spread": None if spread.frequency is None else float(f"{spread.frequency:.3g}"),
         "precession": one(result.precession),
-        "precession_spread": None if spread.precession is None else float(f"{spread.precession:.3g}"),
+        "precession_spread": None
+        if spread.precession is None
+        else float(f"{spread.precession:.3g}"),
         "radial_period": one(result.radial_period),
         "checked_periods": float(f"{reached:.3g}"),
     }
@@ -69,7 +77,10 @@ def write(file: Path, about: str, entries: list[dict[str, object]]) -> None:
     """Write all entries, one key a line."""
     blocks = []
     for item in entries:
-        lines = [f"{json.dumps(key)}: {json.dumps(value, separators=(',', ':'))}" for key, value in item.items()]
+        lines = [
+            f"{json.dumps(key)}: {json.dumps(value, separators=(',', ':'))}"
+            for key, value in item.items()
+        ]
         blocks.append("{\n" + ",\n".join(lines) + "\n}")
     text = '{\n"about": ' + json.dumps(about) + ',\n"cases": [\n' + ",\n".join(blocks) + "\n]\n}\n"
     partial = file.with_suffix(".partial")

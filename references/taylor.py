@@ -1,10 +1,10 @@
 """Taylor series of the pendulum in fixed point, one step at a time.
 
-Unit of length: the pendulum's length. Unit of time: 1/ω0 = √(length/gravity). z points down. Two ways to write the same
-motion are kept, so that one can check the other:
+Unit of length: the pendulum's length. Unit of time: 1/ω0 = √(length/gravity). z points down. Two
+ways to write the same motion are kept, so that one can check the other:
 
 ``normalised``  r'' = e_z − Λ r with Λ = (v² + z)/(r·r); does not drift off the sphere.
-``conserved``   the same with v² taken from the energy and r·r = 1: Λ = E + 3 z, E = v² − 2 z of the launch.
+``conserved``   the same with v² from the energy and r·r = 1: Λ = E + 3 z, E = v² − 2 z at launch.
 
 Neither knows anything of elliptic functions.
 """
@@ -105,8 +105,9 @@ class Segment:
 def march(state: State, bits: int, law: Law) -> Iterator[Segment]:
     """Segments of the motion from time 0 on, without end.
 
-    The order grows with the precision, at the ratio that costs least for a product of quadratic cost. The step is chosen so that the last two terms stay below 2**(16 − bits); steps are multiples of 2**-10 of the
-    series' own scale, so that the sum of the steps is exact.
+    The order grows with the precision, at the ratio that costs least for a product of quadratic
+    cost. The step is chosen so that the last two terms stay below 2**(16 − bits); steps are
+    multiples of 2**-10 of the series' own scale, so that the sum of the steps is exact.
     """
     energy = sum(v * v for v in state[3:]) // (1 << bits) - 2 * state[2]
     order = bits * 11 // 32
@@ -114,7 +115,11 @@ def march(state: State, bits: int, law: Law) -> Iterator[Segment]:
     scale = 1 << (STEP_BITS - 3)
     while True:
         x, y, z, u, v, w = state
-        series: Series = ([x, u * scale >> STEP_BITS], [y, v * scale >> STEP_BITS], [z, w * scale >> STEP_BITS])
+        series: Series = (
+            [x, u * scale >> STEP_BITS],
+            [y, v * scale >> STEP_BITS],
+            [z, w * scale >> STEP_BITS],
+        )
         law(series, energy, scale, order, bits)
         tau = _reach(series, bits)
         if tau < 0.3:

@@ -1,4 +1,4 @@
-"""Checks of a computed motion: another law, precision and step; straight integration; elementary solutions."""
+"""Checks of a computed motion: another law and precision; straight through; elementary."""
 
 from math import pi
 
@@ -14,7 +14,7 @@ AGREEMENT = 1e-26
 
 
 def again(case: Case, result: Result) -> float:
-    """Difference from a second computation: law ``conserved``, 64 bits more, order 22 higher, other steps."""
+    """Difference from a second computation: law ``conserved``, 64 bits more, order 22 higher."""
     other = solve(case, bits=320, law=conserved)
     worst = _states(result, other.states, other.bits, len(case.times))
     for ours, theirs in (
@@ -28,7 +28,7 @@ def again(case: Case, result: Result) -> float:
 
 
 def straight(case: Case, result: Result) -> tuple[float, float]:
-    """Difference from integrating straight through, and the time in small-oscillation periods it went to.
+    """Difference from integrating straight through, and how far (small-oscillation periods).
 
     Law ``conserved``, 256 bits: no drift off the sphere was seen in it, above the equator neither.
     """
@@ -41,7 +41,7 @@ def straight(case: Case, result: Result) -> tuple[float, float]:
 
 
 def elementary(case: Case, result: Result) -> float:
-    """Difference from the elementary solution where there is one (separatrix, cone, rest, upright), else 0."""
+    """Difference from the elementary solution of separatrix, cone, rest and upright; else 0."""
     if case.motion not in ("separatrix", "cone", "rest", "upright"):
         return 0.0
     x, y, z, u, v, w = (fixed.to_arb(n, result.bits) for n in result.start.scaled(result.bits))
@@ -50,14 +50,19 @@ def elementary(case: Case, result: Result) -> float:
     for t, state in zip(case.times, result.states, strict=True):
         time = arb(t) * rate
         if case.motion == "separatrix":
-            # θ counted in the direction in which it grows: d sin(θ/2)/dt = cos²(θ/2), so sin(θ/2) = tanh(t + t0).
+            # θ counted so that it grows: d sin(θ/2)/dt = cos²(θ/2), so sin(θ/2) = tanh(t + t0).
             speed = (u * u + v * v + w * w).sqrt()
             ahead = (u / (z * speed), v / (z * speed))
             half = ((x * ahead[0] + y * ahead[1]) / (2 * (1 + z)).sqrt()).atanh() + time
             sine = 2 * half.tanh() / half.cosh()
             place = (sine * ahead[0], sine * ahead[1], 1 - 2 * half.tanh() ** 2)
         elif case.motion == "cone":
-            turn = (u * u + v * v).sqrt() / (x * x + y * y).sqrt() * (1 if x * v - y * u > 0 else -1) * time
+            turn = (
+                (u * u + v * v).sqrt()
+                / (x * x + y * y).sqrt()
+                * (1 if x * v - y * u > 0 else -1)
+                * time
+            )
             place = (x * turn.cos() - y * turn.sin(), x * turn.sin() + y * turn.cos(), z)
         else:
             place = (x, y, z)
@@ -67,7 +72,7 @@ def elementary(case: Case, result: Result) -> float:
 
 
 def _states(result: Result, others: list[State], bits: int, count: int) -> float:
-    """Largest difference, relative to the largest size of that component over the case (plan components together)."""
+    """Largest difference, relative to the largest size of the component over the case."""
     sizes = [_size(result, axes) for axes in ((0, 1), (0, 1), (2,), (3, 4), (3, 4), (5,))]
     worst = 0.0
     for ours, theirs in zip(result.states[:count], others, strict=True):
