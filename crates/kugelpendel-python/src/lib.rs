@@ -191,9 +191,15 @@ fn columns<'py>(py: Python<'py>, harmonics: &[Harmonic]) -> Harmonics<'py> {
     (order.into_pyarray(py), frequency.into_pyarray(py), amplitude.into_pyarray(py))
 }
 
+/// The sentence that says what is wrong with a pendulum, if anything is.
+#[pyfunction]
+fn pendulum_problem(length: f64, gravity: f64, mass: f64) -> Option<String> {
+    Pendulum { length, gravity, mass }.check().err().map(|invalid| invalid.to_string())
+}
+
 /// The compiled part of the Python package.
 #[pymodule]
 mod _core {
     #[pymodule_export]
-    use super::ExactMotions;
+    use super::{ExactMotions, pendulum_problem};
 }

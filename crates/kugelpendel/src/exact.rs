@@ -126,6 +126,11 @@ impl ExactMotion {
         self.launch.height
     }
 
+    fn near_separatrix(&self) -> bool {
+        let t = &self.invariants.turning;
+        t.excess + t.high_depth <= HYPERBOLIC_BELOW * (t.excess + t.low_depth)
+    }
+
     pub(crate) fn clock(&self) -> Clock {
         let invariants = &self.invariants;
         if self.launch.still {
@@ -137,7 +142,10 @@ impl ExactMotion {
             return Clock::Once { rate, start: invariants.separatrix_start() };
         }
         let per_second = Dd::<Portable>::of(self.omega0) * Dd::INV_PI;
-        let frame = invariants.precession_from_above.unwrap_or(invariants.precession);
+        let frame = match invariants.precession_from_above {
+            Some(precession) if !self.near_separatrix() => precession,
+            _ => invariants.precession,
+        };
         Clock::Periodic {
             swings: (per_second * Dd::of(invariants.frequency)).pair(),
             frame: (per_second * Dd::of(frame)).scale(0.5 * invariants.sense).pair(),
@@ -253,15 +261,12 @@ impl ExactMotion {
 
     /// The chart, and by how many turns its frame is turned at the launch.
     pub(crate) fn chart(&self, clock: &Clock) -> (Chart, f64) {
-        let t = &self.invariants.turning;
         match *clock {
             Clock::Still => {
                 let [x, y] = self.launch.plan;
                 (Chart::Still([x, y, self.launch.height]), 0.0)
             }
-            Clock::Periodic { start, .. }
-                if t.excess + t.high_depth > HYPERBOLIC_BELOW * (t.excess + t.low_depth) =>
-            {
+            Clock::Periodic { start, .. } if !self.near_separatrix() => {
                 let chart = Trigonometric::new(&self.invariants, &self.invariants.ladder());
                 let (sin, cos) = (PI * start.hi).sin_cos();
                 let shape = chart.at_any::<true>(cos, sin);

@@ -60,7 +60,9 @@ impl Invariants {
         let two = Dd::<A>::from(2.0);
         let half_speed_squared = state.speed_squared.scale(0.5);
         let energy = state.height + half_speed_squared;
-        let deficit = state.depth - half_speed_squared; // 2 − ε, with all its digits near the separatrix
+        // 2 − ε, with all its digits near the separatrix; what is only the rounding of a cancellation is zero.
+        let deficit = state.depth - half_speed_squared;
+        let deficit = if deficit.hi.abs() < 1e-30 * state.depth.hi { Dd::ZERO } else { deficit };
         let lambda = state.angular_momentum.abs();
         let lambda_squared = lambda.square();
 

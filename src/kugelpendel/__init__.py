@@ -1,0 +1,10 @@
+"""The spherical pendulum: its exact motion from any launch, at any time.
+
+Conventions: SI units and radians; the support is the origin and z points down, so the bob rests at
+(0, 0, length); azimuths, precession and angular momentum are positive counter-clockwise seen from
+above. The names live in `__init__.pyi`; each is imported when it is first used.
+"""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,64 @@
+"""Times as they are asked for."""
+
+from __future__ import annotations
+
+import operator
+import os
+from math import isfinite
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..parameters import InvalidInput, Numbers, as_numbers
+
+
+def checked_times(t: ArrayLike, numbers_each: int) -> Numbers:
+    """The times as an array; `numbers_each` is how many results one time will make."""
+    times = np.asarray(t) if isinstance(t, np.ndarray) and t.dtype == np.float64 else None
+    if times is None:
+        times = np.asarray(as_numbers(t, "The times", "s"))
+    if not np.isfinite(times).all():
+        wrong = times[~np.isfinite(times)]
+        raise InvalidInput(
+            f"Times must be finite, but {wrong.size} of {times.size} are not, the first of them "
+            f"{wrong.flat[0]} s."
+        )
+    check_memory(times.size, numbers_each)
+    return times
+
+
+def checked_grid(start: float, step: float, count: int, numbers_each: int) -> int:
+    """The count as an int, where the grid makes sense."""
+    for name, value in (("start", start), ("step", step)):
+        if not isfinite(value):
+            raise InvalidInput(f"The grid's {name} must be finite, but it is {value} s.")
+    if step == 0:
+        raise InvalidInput(
+            "The grid's step must not be 0 s: every sample would be the same; use position(start)."
+        )
+    try:
+        size = operator.index(count)
+    except TypeError:
+        size = int(count) if float(count).is_integer() else -1
+    if size < 0:
+        raise InvalidInput(f"The count of samples must be a whole number ≥ 0, but it is {count}.")
+    check_memory(size, numbers_each)
+    return size
+
+
+def check_memory(count: int, numbers_each: int) -> None:
+    """Refuse before the machine starts to swap."""
+    needed = 8 * count * numbers_each
+    if needed > (available := _memory()):
+        raise InvalidInput(
+            f"{count:.6g} samples would take {needed / 1e9:.3g} GB of memory, and this machine has "
+            f"{available / 1e9:.3g} GB; ask for fewer, or go piece by piece with start."
+        )
+
+
+def _memory() -> int:
+    """Bytes of memory in this machine; where it does not tell, as much as can be addressed."""
+    try:
+        return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    except (AttributeError, ValueError, OSError):
+        return 2**62

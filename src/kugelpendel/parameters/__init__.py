@@ -1,0 +1,8 @@
+"""What is given: frozen, checked, in SI."""
+
+from ._invalid import InvalidInput as InvalidInput
+from ._launch import Launch as Launch
+from ._numbers import Numbers as Numbers
+from ._numbers import Scalars as Scalars
+from ._numbers import as_numbers as as_numbers
+from ._pendulum import Pendulum as Pendulum

@@ -1,0 +1,46 @@
+"""Numbers as they are given: one, or an array of them."""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._invalid import InvalidInput
+
+Numbers: TypeAlias = NDArray[np.float64]
+Scalars: TypeAlias = float | Numbers
+"""A float where one number was given, a read-only array where several were."""
+
+
+def as_numbers(value: ArrayLike, name: str, unit: str) -> Scalars:
+    """A float, or a read-only float64 array that is a copy of its own.
+
+    Raises InvalidInput for what is not made of real numbers.
+    """
+    try:
+        array = np.array(value)
+        if array.dtype.kind not in "iuf":
+            raise TypeError
+        array = array.astype(np.float64)
+    except (TypeError, ValueError):
+        raise InvalidInput(
+            f"{name} must be a number or an array of numbers in {unit}, but it is {value!r}; "
+            f"leave units out here: they are read from files and on the command line only."
+        ) from None
+    if array.ndim == 0:
+        return float(array)
+    array.flags.writeable = False
+    return array
+
+
+def equal(ours: tuple[Scalars, ...], theirs: tuple[Scalars, ...]) -> bool:
+    """Whether all are the same, element by element."""
+    pairs = zip(ours, theirs, strict=True)
+    return len(ours) == len(theirs) and all(np.array_equal(a, b) for a, b in pairs)
+
+
+def hashed(values: tuple[Scalars, ...]) -> int:
+    """A hash that goes with `equal`."""
+    return hash(tuple(v if isinstance(v, float) else (v.shape, v.tobytes()) for v in values))
