@@ -9,7 +9,7 @@ from typing import Any
 import mpmath
 import pytest
 
-mp = mpmath.mp.clone()
+mp: Any = mpmath.mp.clone()
 mp.dps = 50
 # The stored numbers have 25 digits, and a height is a difference of two of them.
 ROUNDING = mp.mpf("4e-24")
