@@ -50,7 +50,7 @@ struct Start {
 pub(crate) enum Chart {
     Trigonometric(Trigonometric),
     Hyperbolic(Hyperbolic),
-    /// Dimensionless (x, y, s).
+    /// x, y and the height, m.
     Still([f64; 3]),
 }
 
@@ -264,10 +264,10 @@ impl ExactMotion {
         match *clock {
             Clock::Still => {
                 let [x, y] = self.launch.plan;
-                (Chart::Still([x, y, self.launch.height]), 0.0)
+                (Chart::Still([x, y, self.launch.height].map(|v| v * self.pendulum.length)), 0.0)
             }
             Clock::Periodic { start, .. } if !self.near_separatrix() => {
-                let chart = Trigonometric::new(&self.invariants, &self.invariants.ladder());
+                let chart = Trigonometric::new(self.pendulum.length, &self.invariants, &self.invariants.ladder());
                 let (sin, cos) = (PI * start.hi).sin_cos();
                 let shape = chart.at_any::<true>(cos, sin);
                 let frame = self.invariants.precession_from_above.unwrap_or(self.invariants.precession).hi;
@@ -275,7 +275,7 @@ impl ExactMotion {
                 (Chart::Trigonometric(chart), turn)
             }
             Clock::Periodic { start, .. } => {
-                let chart = Hyperbolic::new(&self.invariants);
+                let chart = Hyperbolic::new(self.pendulum.length, &self.invariants);
                 let shape = chart.at(chart.span * start.hi);
                 let twist = chart.twist();
                 let frequency = self.invariants.frequency.hi;
@@ -284,7 +284,7 @@ impl ExactMotion {
                 (Chart::Hyperbolic(chart), turn - twist * start.hi)
             }
             Clock::Once { rate, start } => {
-                let chart = Hyperbolic::new(&self.invariants);
+                let chart = Hyperbolic::new(self.pendulum.length, &self.invariants);
                 let turn = self.launch_turn(&chart.at(start), rate / self.omega0.hi, 0.0);
                 (Chart::Hyperbolic(chart), turn)
             }

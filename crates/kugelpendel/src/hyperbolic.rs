@@ -9,9 +9,10 @@
 //!
 //! where n counts the swings and |f| ≤ ½ is the fraction of one. On the separatrix q' = 0 and h is the time itself.
 
+use crate::arithmetic::Portable;
 use crate::elliptic::Ladder;
 use crate::invariants::Invariants;
-use crate::shape::{Factor, Scales, Shape};
+use crate::shape::{Factor, Shape, scales};
 use std::f64::consts::PI;
 
 #[derive(Clone, Copy, Debug)]
@@ -22,11 +23,14 @@ pub(crate) struct Hyperbolic {
     /// ψ0, ψ2.
     lower: f64,
     upper: f64,
-    scales: Scales,
+    /// What α and β have to be multiplied by.
+    scales: [f64; 2],
+    /// −1 mirrors the motion: clockwise.
+    sense: f64,
 }
 
 impl Hyperbolic {
-    pub(crate) fn new(invariants: &Invariants) -> Self {
+    pub(crate) fn new(length: f64, invariants: &Invariants) -> Self {
         let turning = &invariants.turning;
         let ladder = Ladder::new(
             turning.excess + turning.low_depth,
@@ -39,19 +43,19 @@ impl Hyperbolic {
             span: -nome.ln(),
             lower: ladder.argument(turning.low.sqrt().atan2((2.0 * turning.half_range).sqrt())),
             upper: ladder.argument(turning.excess.sqrt().atan2(turning.high_depth.sqrt())),
-            scales: Scales { plan: 1.0, height: 1.0, sense: invariants.sense },
+            scales: [1.0; 2],
+            sense: invariants.sense,
         };
-        // |α|² is largest at the highest point, |β|² at the lowest: there the scales lose nothing.
         let (top, bottom) = (chart.factors(0.5 * chart.span), chart.factors(0.0));
         let ratio = |factor: Factor, delta: f64| factor.re.hypot(factor.im) / delta;
-        chart.scales.height = turning.high / ratio(top.alpha, top.delta).powi(2);
-        chart.scales.plan = (chart.scales.height * turning.low_depth).sqrt() / ratio(bottom.beta, bottom.delta);
+        let (alpha, beta) = (ratio(top.alpha, top.delta), ratio(bottom.beta, bottom.delta));
+        chart.scales = scales(length, turning, alpha, beta);
         chart
     }
 
     /// 2(ψ0 − ψ2) in turns: how far the frame turns in a swing besides the precession.
     pub(crate) fn twist(&self) -> f64 {
-        self.scales.sense * self.argument_difference() / PI
+        self.sense * self.argument_difference() / PI
     }
 
     /// ψ0 − ψ2.
@@ -62,12 +66,11 @@ impl Hyperbolic {
     /// At h since the lowest point; the rates are with respect to h.
     pub(crate) fn at(&self, h: f64) -> Shape {
         let Factors { alpha, beta, delta, delta_rate, fading } = self.factors(h);
-        let mut shape = self.scales.shape::<true>(alpha, beta, delta, delta_rate);
+        let [alpha_scale, beta_scale] = self.scales;
         // α and δ are scaled by 2e^{−|h|}: once too often in the plan view, not at all in the height.
-        for part in [&mut shape.x, &mut shape.y, &mut shape.x_rate, &mut shape.y_rate] {
-            *part *= fading;
-        }
-        shape
+        let (alpha, beta) = (alpha.scaled(alpha_scale), beta.scaled(beta_scale * fading));
+        let shape = Shape::of::<Portable, true>(alpha, beta, delta, delta_rate);
+        Shape { y: self.sense * shape.y, y_rate: self.sense * shape.y_rate, ..shape }
     }
 
     /// θ1(ψ0 + ih) and θ2(ih), both divided by q'^{1/4}e^{|h|}, and θ3(ψ2 − ih).

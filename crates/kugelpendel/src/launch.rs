@@ -152,19 +152,19 @@ impl Launch {
             }
             Self::Plane { x, y, vx, vy } => {
                 let speed_unit = length * omega0;
-                let (x, y) = (Dd::from(x) / length, Dd::from(y) / length);
-                let (vx, vy) = (Dd::from(vx) / speed_unit, Dd::from(vy) / speed_unit);
-                let radius_squared = x.square() + y.square();
-                let height = height_at(radius_squared);
-                let climb = (x * vx + y * vy) / (Dd::ONE - height);
+                let height = height_at((Dd::product(x, x) + Dd::product(y, y)) / length.square());
+                let outward = (Dd::product(x, vx) + Dd::product(y, vy)) / (length * speed_unit);
+                let climb = outward / (Dd::ONE - height);
+                let plan_speed_squared = Dd::product(vx, vx) + Dd::product(vy, vy);
                 State {
                     height,
                     depth: Dd::from(2.0) - height,
                     climb,
-                    speed_squared: vx.square() + vy.square() + climb.square(),
-                    angular_momentum: x * vy - y * vx,
-                    plan: [x.hi, y.hi],
-                    plan_velocity: [vx.hi, vy.hi],
+                    speed_squared: plan_speed_squared / speed_unit.square() + climb.square(),
+                    // From the exact products: what lies in a vertical plane has angular momentum 0, not 1e-33.
+                    angular_momentum: (Dd::product(x, vy) - Dd::product(y, vx)) / (length * speed_unit),
+                    plan: [x / pendulum.length, y / pendulum.length],
+                    plan_velocity: [vx / speed_unit.hi, vy / speed_unit.hi],
                 }
             }
             Self::Angles { theta, phi, theta_rate, phi_rate } => {
@@ -187,26 +187,26 @@ impl Launch {
                     ],
                 }
             }
-            Self::State { position, velocity } => {
+            Self::State { position: [x, y, z], velocity: [vx, vy, vz] } => {
                 let speed_unit = length * omega0;
-                let r = position.map(Dd::<A>::from);
-                let radius = (r[0].square() + r[1].square() + r[2].square()).sqrt();
-                let [x, y, z] = r.map(|c| c / radius);
-                let v = velocity.map(|c| Dd::<A>::from(c) / speed_unit);
-                let radial = x * v[0] + y * v[1] + z * v[2];
-                let [vx, vy, vz] = [v[0] - radial * x, v[1] - radial * y, v[2] - radial * z];
-                let radius_squared = x.square() + y.square();
-                let nearer = radius_squared / (Dd::ONE + z.abs());
-                let farther = Dd::ONE + z.abs();
-                let (height, depth) = if z.hi >= 0.0 { (nearer, farther) } else { (farther, nearer) };
+                let radius_squared = Dd::product(x, x) + Dd::product(y, y) + Dd::product(z, z);
+                let radius = radius_squared.sqrt();
+                let cosine = Dd::from(z) / radius;
+                let farther = Dd::ONE + cosine.abs();
+                let nearer = (Dd::product(x, x) + Dd::product(y, y)) / radius_squared / farther;
+                let (height, depth) = if z >= 0.0 { (nearer, farther) } else { (farther, nearer) };
+                let speed_squared = Dd::product(vx, vx) + Dd::product(vy, vy) + Dd::product(vz, vz);
+                let radial = (Dd::product(x, vx) + Dd::product(y, vy) + Dd::product(z, vz)) / radius;
+                // The radial part, which is rounding, is taken away; from x·vy − y·vx it drops out by itself.
+                let share = (radial / radius).hi;
                 State {
                     height,
                     depth,
-                    climb: -vz,
-                    speed_squared: vx.square() + vy.square() + vz.square(),
-                    angular_momentum: x * vy - y * vx,
-                    plan: [x.hi, y.hi],
-                    plan_velocity: [vx.hi, vy.hi],
+                    climb: (radial * cosine - Dd::from(vz)) / speed_unit,
+                    speed_squared: (speed_squared - radial.square()) / speed_unit.square(),
+                    angular_momentum: (Dd::product(x, vy) - Dd::product(y, vx)) / (radius * speed_unit),
+                    plan: [x / radius.hi, y / radius.hi],
+                    plan_velocity: [(vx - share * x) / speed_unit.hi, (vy - share * y) / speed_unit.hi],
                 }
             }
         }

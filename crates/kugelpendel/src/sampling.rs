@@ -1,17 +1,17 @@
 //! Positions and velocities at many times: scattered, or on a uniform grid, in blocks that the compiler vectorises.
 //!
-//! Both routes fill the same two buffers with cosines and sines, of the swing and of the turning frame, and share the
-//! series. Scattered times take one reduction to turns and one polynomial each; on a grid, a block starts with one of
-//! those and goes on by multiplication with a table of rotations, so no error accumulates from block to block. Blocks
-//! are cut at fixed indices: the result does not depend on the number of threads.
+//! Both routes need cosine and sine of the swing and of the turning frame and share the series. Scattered times take one
+//! reduction to turns and one polynomial each; on a grid, a block starts with one of those and goes on by
+//! multiplication with a table of rotations, so no error accumulates. Blocks are cut at fixed indices: the result does
+//! not depend on the number of threads.
 
 use crate::arithmetic::{Arithmetic, dispatch};
 use crate::double_double::{Dd, Pair, two_sum};
 use crate::exact::{Chart, Clock, ExactMotion};
-use crate::shape::Shape;
-use crate::trigonometric::Trigonometric;
+use crate::shape::{Shape, product};
+use crate::trigonometric::{MAX_DEGREE, Trigonometric};
 use crate::turns;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 const BLOCK: usize = 256;
 
@@ -139,18 +139,12 @@ fn rotations_with<A: Arithmetic>(_: A, step: f64, swings: Pair, frame: Pair) -> 
     let mut table = Box::new(Rotations { swing: [[0.0; BLOCK]; 2], frame: [[0.0; BLOCK]; 2] });
     for k in 0..BLOCK {
         let time = Dd::<A>::product(step, k as f64).pair();
-        let (whole, rest) = turns::fraction::<A>(halved(swings), time);
-        (table.swing[0][k], table.swing[1][k]) = turns::cos_sin::<A>(whole, rest);
+        let (whole, rest) = turns::fraction::<A>(swings, time);
+        [table.swing[0][k], table.swing[1][k]] = turns::cos_sin::<A>(0.5 * whole, 0.5 * rest);
         let (whole, rest) = turns::fraction::<A>(frame, time);
-        (table.frame[0][k], table.frame[1][k]) = turns::cos_sin::<A>(whole, rest);
+        [table.frame[0][k], table.frame[1][k]] = turns::cos_sin::<A>(whole, rest);
     }
     table
-}
-
-/// A swing is half a turn of ζ.
-#[inline(always)]
-fn halved(pair: Pair) -> Pair {
-    Pair { hi: 0.5 * pair.hi, lo: 0.5 * pair.lo }
 }
 
 dispatch! {
@@ -169,10 +163,64 @@ fn fill_part_with<A: Arithmetic>(_: A, plan: &Plan, quantity: Quantity, times: T
     }
 }
 
-/// Cosines and sines of the swing and of the frame for one block.
-struct Angles {
-    swing: [[f64; BLOCK]; 2],
-    frame: [[f64; BLOCK]; 2],
+/// Cosine and sine of the swing and of the frame at the k-th time of a block.
+///
+/// A trait and not a closure: what is not inlined into the dispatched function is not compiled for its processor.
+trait Directions<A> {
+    fn at(&self, k: usize) -> [[f64; 2]; 2];
+}
+
+/// ζ and the frame's angle as functions of the time, in turns.
+struct Hands {
+    swing: Pair,
+    frame: Pair,
+    start: [f64; 2],
+}
+
+impl Hands {
+    #[inline(always)]
+    fn at<A: Arithmetic>(&self, time: Pair) -> [[f64; 2]; 2] {
+        let (whole, rest) = turns::fraction::<A>(self.swing, time);
+        let swing = turns::cos_sin::<A>(whole, rest + self.start[0]);
+        let (whole, rest) = turns::fraction::<A>(self.frame, time);
+        [swing, turns::cos_sin::<A>(whole, rest + self.start[1])]
+    }
+}
+
+struct Scattered<'a> {
+    hands: &'a Hands,
+    times: &'a [f64],
+}
+
+impl<A: Arithmetic> Directions<A> for Scattered<'_> {
+    #[inline(always)]
+    fn at(&self, k: usize) -> [[f64; 2]; 2] {
+        self.hands.at::<A>(Pair { hi: self.times[k], lo: 0.0 })
+    }
+}
+
+struct Grid<'a> {
+    anchor: [[f64; 2]; 2],
+    table: &'a Rotations,
+}
+
+impl<A: Arithmetic> Directions<A> for Grid<'_> {
+    #[inline(always)]
+    fn at(&self, k: usize) -> [[f64; 2]; 2] {
+        let Rotations { swing, frame } = self.table;
+        [
+            product::<A>(self.anchor[0], [swing[0][k], swing[1][k]]),
+            product::<A>(self.anchor[1], [frame[0][k], frame[1][k]]),
+        ]
+    }
+}
+
+/// m, and the rates of ζ and of the frame in rad/s.
+#[derive(Clone, Copy)]
+struct Scale {
+    length: f64,
+    swing: f64,
+    frame: f64,
 }
 
 #[inline(always)]
@@ -184,112 +232,77 @@ fn series<A: Arithmetic>(
     out: &mut [f64],
 ) {
     let Clock::Periodic { swings, frame, start } = plan.clock else { return };
-    let rates = [TAU * 0.5 * swings.hi, TAU * frame.hi];
-    let mut angles = Angles { swing: [[0.0; BLOCK]; 2], frame: [[0.0; BLOCK]; 2] };
-    let (swings, start) = (halved(swings), halved(start));
+    let scale = Scale { length: plan.length, swing: PI * swings.hi, frame: TAU * frame.hi };
+    let swing = Pair { hi: 0.5 * swings.hi, lo: 0.5 * swings.lo };
+    let hands = Hands { swing, frame, start: [0.5 * start.hi, plan.turn] };
     for (block, out) in out.chunks_mut(3 * BLOCK).enumerate() {
-        let count = out.len() / 3;
-        let first = block * BLOCK;
-        match (&times, &plan.rotations) {
+        let (first, count) = (block * BLOCK, out.len() / 3);
+        match (times, &plan.rotations) {
             (Times::Scattered(times), _) => {
-                let times = &times[first..first + count];
-                directions::<A>(times, swings, start.hi, &mut angles.swing);
-                directions::<A>(times, frame, plan.turn, &mut angles.frame);
+                let directions = Scattered { hands: &hands, times: &times[first..first + count] };
+                by_degree::<A>(chart, quantity, scale, out, &directions);
             }
             (Times::Grid { .. }, Some(table)) => {
-                let time = times.at::<A>(first);
-                rotate(anchor::<A>(swings, time, start), &table.swing, &mut angles.swing, count);
-                let turn = Pair { hi: plan.turn, lo: 0.0 };
-                rotate(anchor::<A>(frame, time, turn), &table.frame, &mut angles.frame, count);
+                let directions = Grid { anchor: hands.at::<A>(times.at::<A>(first)), table };
+                by_degree::<A>(chart, quantity, scale, out, &directions);
             }
-            (Times::Grid { .. }, None) => {}
-        }
-        match (quantity, chart.from_above) {
-            (Quantity::Position, false) => by_degree::<A, false, false>(chart, &angles, plan.length, rates, out),
-            (Quantity::Position, true) => by_degree::<A, true, false>(chart, &angles, plan.length, rates, out),
-            (Quantity::Velocity, false) => by_degree::<A, false, true>(chart, &angles, plan.length, rates, out),
-            (Quantity::Velocity, true) => by_degree::<A, true, true>(chart, &angles, plan.length, rates, out),
+            (Times::Grid { .. }, None) => unreachable!("a grid comes with its table of rotations"),
         }
     }
 }
 
 #[inline(always)]
-fn directions<A: Arithmetic>(times: &[f64], rate: Pair, start: f64, [cos, sin]: &mut [[f64; BLOCK]; 2]) {
-    for ((time, cos), sin) in times.iter().zip(cos).zip(sin) {
-        let (whole, rest) = turns::fraction::<A>(rate, Pair { hi: *time, lo: 0.0 });
-        (*cos, *sin) = turns::cos_sin::<A>(whole, rest + start);
-    }
-}
-
-#[inline(always)]
-fn anchor<A: Arithmetic>(rate: Pair, time: Pair, start: Pair) -> (f64, f64) {
-    let (whole, rest) = turns::fraction::<A>(rate, time);
-    turns::cos_sin::<A>(whole, rest + (start.hi + start.lo))
-}
-
-#[inline(always)]
-fn rotate(
-    (c, s): (f64, f64),
-    [table_cos, table_sin]: &[[f64; BLOCK]; 2],
-    [cos, sin]: &mut [[f64; BLOCK]; 2],
-    count: usize,
-) {
-    for k in 0..count.min(BLOCK) {
-        cos[k] = c * table_cos[k] - s * table_sin[k];
-        sin[k] = s * table_cos[k] + c * table_sin[k];
-    }
-}
-
-#[inline(always)]
-fn by_degree<A: Arithmetic, const FROM_ABOVE: bool, const RATES: bool>(
+fn by_degree<A: Arithmetic>(
     chart: &Trigonometric,
-    angles: &Angles,
-    length: f64,
-    rates: [f64; 2],
+    quantity: Quantity,
+    scale: Scale,
     out: &mut [f64],
+    directions: &impl Directions<A>,
 ) {
-    match chart.degree {
-        1 => evaluate::<A, 1, FROM_ABOVE, RATES>(chart, angles, length, rates, out),
-        2 => evaluate::<A, 2, FROM_ABOVE, RATES>(chart, angles, length, rates, out),
-        3 => evaluate::<A, 3, FROM_ABOVE, RATES>(chart, angles, length, rates, out),
-        _ => evaluate::<A, 4, FROM_ABOVE, RATES>(chart, angles, length, rates, out),
+    macro_rules! evaluate {
+        ($($degree:literal)+) => {
+            match (chart.degree, chart.from_above, quantity) {
+                $(
+                    ($degree, false, Quantity::Position) => evaluate::<A, $degree, false, false>(chart, scale, out, directions),
+                    ($degree, true, Quantity::Position) => evaluate::<A, $degree, true, false>(chart, scale, out, directions),
+                    ($degree, false, Quantity::Velocity) => evaluate::<A, $degree, false, true>(chart, scale, out, directions),
+                    ($degree, true, Quantity::Velocity) => evaluate::<A, $degree, true, true>(chart, scale, out, directions),
+                )+
+                degree => unreachable!("{degree:?} is not a degree from 1 to {MAX_DEGREE}"),
+            }
+        };
     }
+    evaluate!(1 2 3 4);
 }
 
 #[inline(always)]
 fn evaluate<A: Arithmetic, const DEGREE: usize, const FROM_ABOVE: bool, const RATES: bool>(
     chart: &Trigonometric,
-    angles: &Angles,
-    length: f64,
-    [swing, frame]: [f64; 2],
+    scale: Scale,
     out: &mut [f64],
+    directions: &impl Directions<A>,
 ) {
-    let count = (out.len() / 3).min(BLOCK);
-    let (mut x, mut y, mut z) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
-    for k in 0..count {
-        let shape = chart.at::<A, DEGREE, FROM_ABOVE, RATES>(angles.swing[0][k], angles.swing[1][k]);
-        let point = seen_from_outside::<RATES>(&shape, [angles.frame[0][k], angles.frame[1][k]], swing, frame);
-        (x[k], y[k], z[k]) = (length * point[0], length * point[1], length * point[2]);
-    }
-    for (k, triple) in out.chunks_exact_mut(3).enumerate() {
-        (triple[0], triple[1], triple[2]) = (x[k], y[k], z[k]);
+    let (triples, _) = out.as_chunks_mut::<3>();
+    for k in 0..triples.len().min(BLOCK) {
+        let [[cos, sin], direction] = directions.at(k);
+        let shape = chart.at::<A, DEGREE, FROM_ABOVE, RATES>(cos, sin);
+        triples[k] = seen_from_outside::<A, RATES>(&shape, direction, scale);
     }
 }
 
-/// From the turning frame to x, y and z = 1 − s, or to their rates, given the rates of the chart's variable and of the
-/// frame in rad/s.
+/// From the turning frame to x, y and z, or to their rates.
 #[inline(always)]
-fn seen_from_outside<const RATES: bool>(shape: &Shape, [c, s]: [f64; 2], swing: f64, frame: f64) -> [f64; 3] {
-    let [x, y, z] = if RATES {
-        [
-            swing * shape.x_rate - frame * shape.y,
-            swing * shape.y_rate + frame * shape.x,
-            -swing * shape.height_rate,
-        ]
+fn seen_from_outside<A: Arithmetic, const RATES: bool>(shape: &Shape, direction: [f64; 2], scale: Scale) -> [f64; 3] {
+    let Scale { length, swing, frame } = scale;
+    let (plan, z) = if RATES {
+        let x = A::mul_add(swing, shape.x_rate, -(frame * shape.y));
+        let y = A::mul_add(swing, shape.y_rate, frame * shape.x);
+        ([x, y], -swing * shape.height_rate)
     } else {
-        [shape.x, shape.y, 1.0 - shape.height]
+        ([shape.x, shape.y], length - shape.height)
     };
-    [c * x - s * y, s * x + c * y, z]
+    let [x, y] = product::<A>(direction, plan);
+    [x, y, z]
 }
 
 impl Plan {
@@ -317,15 +330,14 @@ impl Plan {
                 (chart.at(A::mul_add(rate, time.hi, start)), direction, rate, 0.0)
             }
             (Chart::Still([x, y, height]), _) => {
-                (Shape { x: *x, y: *y, height: *height, ..Shape::default() }, (1.0, 0.0), 0.0, 0.0)
+                (Shape { x: *x, y: *y, height: *height, ..Shape::default() }, [1.0, 0.0], 0.0, 0.0)
             }
-            _ => (Shape::default(), (1.0, 0.0), 0.0, 0.0),
+            (chart, clock) => unreachable!("{clock:?} does not go with {chart:?}"),
         };
-        let direction = [direction.0, direction.1];
+        let scale = Scale { length: self.length, swing, frame };
         match quantity {
-            Quantity::Position => seen_from_outside::<false>(&shape, direction, swing, frame),
-            Quantity::Velocity => seen_from_outside::<true>(&shape, direction, swing, frame),
+            Quantity::Position => seen_from_outside::<A, false>(&shape, direction, scale),
+            Quantity::Velocity => seen_from_outside::<A, true>(&shape, direction, scale),
         }
-        .map(|v| v * self.length)
     }
 }

@@ -1,6 +1,9 @@
 //! A point of the orbit in the frame that turns with the precession.
 
-/// x + iy and the height s, and their derivatives with respect to the chart's own variable; lengths in l.
+use crate::arithmetic::Arithmetic;
+use crate::invariants::Turning;
+
+/// x + iy and the height above the bottom, and their derivatives with respect to the chart's own variable; m.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Shape {
     pub(crate) x: f64,
@@ -20,37 +23,53 @@ pub(crate) struct Factor {
     pub(crate) im_rate: f64,
 }
 
-/// How the factors α, β and the common denominator δ make up a point: x + iy = plan·αβ/δ², s = height·|α|²/δ².
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Scales {
-    pub(crate) plan: f64,
-    pub(crate) height: f64,
-    /// −1 mirrors the motion: clockwise.
-    pub(crate) sense: f64,
+impl Factor {
+    pub(crate) fn scaled(self, scale: f64) -> Self {
+        let Self { re, im, re_rate, im_rate } = self;
+        Self { re: scale * re, im: scale * im, re_rate: scale * re_rate, im_rate: scale * im_rate }
+    }
 }
 
-impl Scales {
-    /// With RATES = false the rates stay 0 and cost nothing.
+impl Shape {
+    /// x + iy = αβ/δ² and height = |α|²/δ². With RATES = false the rates stay 0 and cost nothing.
     #[inline(always)]
-    pub(crate) fn shape<const RATES: bool>(&self, alpha: Factor, beta: Factor, delta: f64, delta_rate: f64) -> Shape {
+    pub(crate) fn of<A: Arithmetic, const RATES: bool>(
+        alpha: Factor,
+        beta: Factor,
+        delta: f64,
+        delta_rate: f64,
+    ) -> Self {
         let inverse = 1.0 / delta;
         let inverse_square = inverse * inverse;
-        let (px, py) = (self.plan * inverse_square, self.plan * self.sense * inverse_square);
-        let hs = self.height * inverse_square;
-        let (re, im) = (alpha.re * beta.re - alpha.im * beta.im, alpha.re * beta.im + alpha.im * beta.re);
-        let square = alpha.re * alpha.re + alpha.im * alpha.im;
-        let mut shape = Shape { x: px * re, y: py * im, height: hs * square, ..Shape::default() };
+        let [re, im] = product::<A>([alpha.re, alpha.im], [beta.re, beta.im]);
+        let square = A::mul_add(alpha.re, alpha.re, alpha.im * alpha.im);
+        let mut shape = Self {
+            x: inverse_square * re,
+            y: inverse_square * im,
+            height: inverse_square * square,
+            ..Self::default()
+        };
         if RATES {
-            let log_rate = 2.0 * delta_rate * inverse;
-            let re_rate = (alpha.re_rate * beta.re - alpha.im_rate * beta.im)
-                + (alpha.re * beta.re_rate - alpha.im * beta.im_rate);
-            let im_rate = (alpha.re_rate * beta.im + alpha.im_rate * beta.re)
-                + (alpha.re * beta.im_rate + alpha.im * beta.re_rate);
-            shape.x_rate = px * (re_rate - re * log_rate);
-            shape.y_rate = py * (im_rate - im * log_rate);
-            shape.height_rate =
-                hs * (2.0 * (alpha.re * alpha.re_rate + alpha.im * alpha.im_rate) - square * log_rate);
+            let log_rate = -2.0 * delta_rate * inverse;
+            let first = product::<A>([alpha.re_rate, alpha.im_rate], [beta.re, beta.im]);
+            let second = product::<A>([alpha.re, alpha.im], [beta.re_rate, beta.im_rate]);
+            let inner = A::mul_add(alpha.re, alpha.re_rate, alpha.im * alpha.im_rate);
+            shape.x_rate = inverse_square * A::mul_add(re, log_rate, first[0] + second[0]);
+            shape.y_rate = inverse_square * A::mul_add(im, log_rate, first[1] + second[1]);
+            shape.height_rate = inverse_square * A::mul_add(square, log_rate, 2.0 * inner);
         }
         shape
     }
+}
+
+/// What α and β have to be multiplied by, given |α|/δ at the highest point, where |α|² ∝ s is largest, and |β|/δ at the
+/// lowest, where |β|² ∝ 2 − s is; lengths in m.
+pub(crate) fn scales(length: f64, turning: &Turning, alpha: f64, beta: f64) -> [f64; 2] {
+    [(length * turning.high).sqrt() / alpha, (length * turning.low_depth).sqrt() / beta]
+}
+
+/// Of two complex numbers.
+#[inline(always)]
+pub(crate) fn product<A: Arithmetic>([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
+    [A::mul_add(a, c, -(b * d)), A::mul_add(a, d, b * c)]
 }

@@ -3,12 +3,12 @@
 //! In the frame turning with the precession, x + iy ∝ αβ with α = θ1(ζ − iη0)/θ4(ζ) and β = θ3(ζ + iη2)/θ4(ζ), or
 //! β = θ2(ζ − iη1)/θ4(ζ) for paths near the top, where |α|² ∝ s and |β|² ∝ 2 − s (Whittaker, Analytical Dynamics,
 //! §55; theta functions as in DLMF 20.2). The series are cut where the next term is below 2e-17 and summed as
-//! polynomials in cos 2ζ.
+//! polynomials in sin² ζ, in which θ4, the only one that is divided by, has positive coefficients only.
 
 use crate::arithmetic::Arithmetic;
 use crate::elliptic::Ladder;
 use crate::invariants::Invariants;
-use crate::shape::{Factor, Scales, Shape};
+use crate::shape::{Factor, Shape, scales};
 
 /// Terms beyond the first: q^(DEGREE + 1)² < 2e-17 for the nomes up to 0.21 that are left to this chart.
 pub(crate) const MAX_DEGREE: usize = 4;
@@ -24,7 +24,6 @@ pub(crate) struct Trigonometric {
     pub(crate) from_above: bool,
     /// What the spectrum needs: q, q·e^{2η0}, and η2 (from above η1).
     pub(crate) poles: [f64; 3],
-    scales: Scales,
     alpha: Series,
     beta: Series,
     /// θ4, real.
@@ -32,38 +31,35 @@ pub(crate) struct Trigonometric {
 }
 
 impl Trigonometric {
-    pub(crate) fn new(invariants: &Invariants, ladder: &Ladder) -> Self {
-        let turning = &invariants.turning;
+    pub(crate) fn new(length: f64, invariants: &Invariants, ladder: &Ladder) -> Self {
         let nome = ladder.nome();
+        // Harmonics beyond the degree must not leave their lower powers behind, so they are not begun.
+        let degree = 1 + NOME_LIMITS.iter().filter(|&&limit| nome > limit).count();
         let from_above = invariants.precession_from_above.is_some();
         let [lower, upper] = invariants.first_zeta_terms();
         let (lower, lower_reduced) = ladder.imaginary_argument(lower);
         let (upper, upper_reduced) = ladder.imaginary_argument(upper);
+        let beta = if from_above {
+            Series::odd(degree, nome, upper, upper_reduced, 1.0)
+        } else {
+            Series::even(degree, nome, upper, 1.0)
+        };
         let mut chart = Self {
-            degree: 1 + NOME_LIMITS.iter().filter(|&&limit| nome > limit).count(),
+            degree,
             from_above,
             poles: [nome, lower_reduced, upper],
-            scales: Scales { plan: 1.0, height: 1.0, sense: invariants.sense },
-            alpha: Series::odd(nome, lower, lower_reduced, -1.0),
-            beta: if from_above {
-                Series::odd(nome, upper, upper_reduced, 1.0)
-            } else {
-                Series::even(nome, upper, 1.0)
-            },
-            delta: Series::even(nome, 0.0, -1.0),
+            alpha: Series::odd(degree, nome, lower, lower_reduced, -1.0),
+            beta,
+            delta: Series::even(degree, nome, 0.0, -1.0),
         };
-        // |α|² is largest at the highest point, |β|² at the lowest: there the scales lose nothing.
-        let top = chart.at_any::<false>(0.0, 1.0).height;
-        let bottom = chart.beta_at_bottom();
-        chart.scales.height = turning.high / top;
-        chart.scales.plan = (chart.scales.height * turning.low_depth).sqrt() / bottom;
+        let at_bottom = |polynomial: &Polynomial| polynomial[0];
+        let at_top = |polynomial: &Polynomial| polynomial.iter().sum::<f64>();
+        let alpha = at_top(&chart.alpha.im).abs() / at_top(&chart.delta.re);
+        let beta = at_bottom(&chart.beta.re) / at_bottom(&chart.delta.re);
+        let [alpha, beta] = scales(length, &invariants.turning, alpha, beta);
+        chart.alpha = chart.alpha.times(alpha, alpha * invariants.sense);
+        chart.beta = chart.beta.times(beta, beta * invariants.sense);
         chart
-    }
-
-    /// |β| at ζ = 0, the scales aside.
-    fn beta_at_bottom(&self) -> f64 {
-        let sum = |p: &Polynomial| p.iter().sum::<f64>();
-        sum(&self.beta.re).abs() / sum(&self.delta.re)
     }
 
     /// [`Self::at`] with the degree looked up: for single points.
@@ -83,16 +79,16 @@ impl Trigonometric {
         cos: f64,
         sin: f64,
     ) -> Shape {
-        let (cos2, sin2) = ((cos - sin) * (cos + sin), 2.0 * sin * cos);
-        let alpha = self.alpha.at::<A, DEGREE, RATES>(cos2, [cos, sin]);
-        let beta = self.beta.at::<A, DEGREE, RATES>(cos2, if FROM_ABOVE { [cos, sin] } else { [1.0, sin2] });
-        let delta = horner::<A, DEGREE>(&self.delta.re, cos2);
-        let delta_rate = if RATES { sin2 * horner::<A, DEGREE>(&self.delta.re_rate, cos2) } else { 0.0 };
-        self.scales.shape::<RATES>(alpha, beta, delta, delta_rate)
+        let square = sin * sin;
+        let alpha = self.alpha.at::<A, DEGREE, RATES>(square, [cos, sin]);
+        let beta = self.beta.at::<A, DEGREE, RATES>(square, if FROM_ABOVE { [cos, sin] } else { [1.0, sin * cos] });
+        let delta = horner::<A, DEGREE>(&self.delta.re, square);
+        let delta_rate = if RATES { sin * cos * horner::<A, DEGREE>(&self.delta.re_rate, square) } else { 0.0 };
+        Shape::of::<A, RATES>(alpha, beta, delta, delta_rate)
     }
 }
 
-/// Polynomials in cos 2ζ. Odd series: re, im go with cos ζ, sin ζ; even ones with 1, sin 2ζ; the rates the other way.
+/// Polynomials in sin² ζ. Odd series: re, im go with cos ζ, sin ζ; even ones with 1, sin ζ cos ζ; the rates the other way.
 #[derive(Clone, Copy, Debug)]
 struct Series {
     re: Polynomial,
@@ -103,24 +99,35 @@ struct Series {
 
 impl Series {
     #[inline(always)]
-    fn at<A: Arithmetic, const DEGREE: usize, const RATES: bool>(&self, cos2: f64, [c, s]: [f64; 2]) -> Factor {
+    fn at<A: Arithmetic, const DEGREE: usize, const RATES: bool>(&self, square: f64, [c, s]: [f64; 2]) -> Factor {
         let mut factor = Factor {
-            re: c * horner::<A, DEGREE>(&self.re, cos2),
-            im: s * horner::<A, DEGREE>(&self.im, cos2),
+            re: c * horner::<A, DEGREE>(&self.re, square),
+            im: s * horner::<A, DEGREE>(&self.im, square),
             ..Factor::default()
         };
         if RATES {
-            factor.re_rate = s * horner::<A, DEGREE>(&self.re_rate, cos2);
-            factor.im_rate = c * horner::<A, DEGREE>(&self.im_rate, cos2);
+            factor.re_rate = s * horner::<A, DEGREE>(&self.re_rate, square);
+            factor.im_rate = c * horner::<A, DEGREE>(&self.im_rate, square);
         }
         factor
     }
 
+    /// The real part times one factor, the imaginary part times another.
+    fn times(self, re: f64, im: f64) -> Self {
+        let times = |factor: f64, polynomial: Polynomial| polynomial.map(|c| factor * c);
+        Self {
+            re: times(re, self.re),
+            im: times(im, self.im),
+            re_rate: times(re, self.re_rate),
+            im_rate: times(im, self.im_rate),
+        }
+    }
+
     /// θ1(ζ − iη)·2i (sign −1) or θ2(ζ − iη)·2 (sign +1), divided by q^{1/4}e^η; `reduced` is q·e^{2η}.
-    fn odd(nome: f64, eta: f64, reduced: f64, sign: f64) -> Self {
+    fn odd(degree: usize, nome: f64, eta: f64, reduced: f64, sign: f64) -> Self {
         let (mut growing, mut fading) = (Polynomial::default(), Polynomial::default());
         let mut weight = 1.0; // (±1)^n q^{n²} (q e^{2η})^n
-        for n in 0..=MAX_DEGREE {
+        for n in 0..=degree {
             let order = (2 * n + 1) as f64;
             let difference = -(-2.0 * order * eta).exp_m1();
             growing[n] = weight * (2.0 - difference);
@@ -129,7 +136,7 @@ impl Series {
         }
         let (re, im) = if sign < 0.0 { (fading, growing) } else { (growing, fading) };
         let orders = |n: usize| (2 * n + 1) as f64;
-        let (cos_basis, sin_basis) = ([[1.0, 0.0], [-1.0, 2.0]], [[1.0, 0.0], [1.0, 2.0]]);
+        let (cos_basis, sin_basis) = ([[1.0, 0.0], [1.0, -4.0]], [[1.0, 0.0], [3.0, -4.0]]);
         Self {
             re: expand(re, cos_basis),
             im: expand(im, sin_basis),
@@ -139,18 +146,18 @@ impl Series {
     }
 
     /// θ3(ζ + iη) (sign +1) or θ4(ζ + iη) (sign −1).
-    fn even(nome: f64, eta: f64, sign: f64) -> Self {
+    fn even(degree: usize, nome: f64, eta: f64, sign: f64) -> Self {
         let (mut re, mut im) = (Polynomial::default(), Polynomial::default());
         re[0] = 1.0;
         let mut power = 1.0;
-        for n in 1..=MAX_DEGREE {
+        for n in 1..=degree {
             power *= sign * nome.powi(2 * n as i32 - 1); // (±1)^n q^{n²}
             let growth = 2.0 * n as f64 * eta;
             re[n] = 2.0 * power * growth.cosh();
             im[n] = -2.0 * power * growth.sinh();
         }
         let orders = |n: usize| (2 * n) as f64;
-        let (cos_basis, sin_basis) = ([[1.0, 0.0], [0.0, 1.0]], [[0.0, 0.0], [1.0, 0.0]]);
+        let (cos_basis, sin_basis) = ([[1.0, 0.0], [1.0, -2.0]], [[0.0, 0.0], [2.0, 0.0]]);
         Self {
             re: expand(re, cos_basis),
             im: expand(im, sin_basis),
@@ -160,16 +167,16 @@ impl Series {
     }
 }
 
-/// Σ weights[n]·p_n as a polynomial in c = cos 2ζ, where p_{n+1} = 2c p_n − p_{n−1} starts with the two linear p_0, p_1:
-/// multiple angles in powers.
+/// Σ weights[n]·p_n as a polynomial in x = sin² ζ, where p_{n+1} = (2 − 4x) p_n − p_{n−1} starts with the two linear
+/// p_0, p_1: multiple angles in powers.
 fn expand(weights: Polynomial, [first, second]: [[f64; 2]; 2]) -> Polynomial {
     let mut basis = [Polynomial::default(); MAX_DEGREE + 1];
     basis[0][..2].copy_from_slice(&first);
     basis[1][..2].copy_from_slice(&second);
     for n in 1..MAX_DEGREE {
         for k in 0..=MAX_DEGREE {
-            let raised = if k > 0 { 2.0 * basis[n][k - 1] } else { 0.0 };
-            basis[n + 1][k] = raised - basis[n - 1][k];
+            let raised = if k > 0 { 4.0 * basis[n][k - 1] } else { 0.0 };
+            basis[n + 1][k] = 2.0 * basis[n][k] - raised - basis[n - 1][k];
         }
     }
     std::array::from_fn(|k| weights.iter().zip(&basis).map(|(weight, p)| weight * p[k]).sum())

@@ -21,7 +21,7 @@ const fn taylor(first: usize) -> [f64; 9] {
 
 /// (cos, sin) of 2π·(whole + rest) for |whole + rest| ≤ 2; error below 1.5e-16 in each. Branch-free, for vectors.
 #[inline(always)]
-pub(crate) fn cos_sin<A: Arithmetic>(whole: f64, rest: f64) -> (f64, f64) {
+pub(crate) fn cos_sin<A: Arithmetic>(whole: f64, rest: f64) -> [f64; 2] {
     let quarters = A::round(4.0 * (whole + rest));
     let r = A::mul_add(-0.25, quarters, whole) + rest;
     let x = r * std::f64::consts::TAU;
@@ -42,7 +42,7 @@ pub(crate) fn cos_sin<A: Arithmetic>(whole: f64, rest: f64) -> (f64, f64) {
     let (cos, sin) = if odd { (s, c) } else { (c, s) };
     let cos_sign = ((bits ^ (bits >> 1)) & 1) << 63;
     let sin_sign = ((bits >> 1) & 1) << 63;
-    (f64::from_bits(cos.to_bits() ^ cos_sign), f64::from_bits(sin.to_bits() ^ sin_sign))
+    [f64::from_bits(cos.to_bits() ^ cos_sign), f64::from_bits(sin.to_bits() ^ sin_sign)]
 }
 
 /// The fraction of rate·time that is left without whole turns, as (large, small) parts: |fraction| ≤ ½ (+ small).
