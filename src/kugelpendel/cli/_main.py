@@ -1,0 +1,136 @@
+"""Arguments, and what becomes of an error: a sentence on stderr and exit code 2."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import signal
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from types import FrameType
+
+_BAD_INPUT = 2
+_INTERRUPTED = 130
+
+_EPILOG = """\
+A job file looks like this; quantities have a unit or are plain SI numbers:
+
+  [pendulum]
+  length = "67 m"
+  mass = "28 kg"
+
+  [launch]
+  kind = "ellipse"      # or apsides, plane, angles, state, at_rest
+  a = "3 m"
+  b = "1 cm"
+
+  [output]
+  duration = "1 h"
+  step = "0.1 s"        # or samples = 36001
+"""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line.
+
+    Parameters
+    ----------
+    arguments : sequence of str, optional
+        ``sys.argv`` without the program, unless given.
+
+    Returns
+    -------
+    int
+        Exit code: 0, 2 for bad input (with a sentence on stderr), 130 when interrupted.
+    """
+    parser = _parser()
+    given = parser.parse_args(arguments)
+    if given.version:
+        from importlib.metadata import version
+
+        print(f"kugelpendel {version('kugelpendel')}")
+        return 0
+    if given.command is None:
+        parser.print_help(sys.stderr)
+        return _BAD_INPUT
+    try:
+        before = signal.signal(signal.SIGTERM, _interrupt)
+    except ValueError:  # not in the main thread
+        return _run(given)
+    try:
+        return _run(given)
+    finally:
+        signal.signal(signal.SIGTERM, before)
+
+
+def _run(given: argparse.Namespace) -> int:
+    try:
+        from kugelpendel import InvalidInput
+        from kugelpendel.cli._run import run
+    except ImportError as missing:
+        return _refuse(_not_installed(missing))
+    try:
+        run(given.file, given.out, given.json, given.format)
+        sys.stdout.flush()
+    except InvalidInput as error:
+        return _refuse(str(error))
+    except ImportError as missing:
+        return _refuse(_not_installed(missing))
+    except KeyboardInterrupt:
+        print("kugelpendel: interrupted; no file is left half-written.", file=sys.stderr)
+        return _INTERRUPTED
+    except BrokenPipeError:
+        # The reader of a pipe, such as `head`, has had enough; all files are written by now.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return 0
+
+
+def _not_installed(missing: ImportError) -> str:
+    return (
+        f"{missing.name or missing} is not installed, and `kugelpendel run` needs it: "
+        "python -m pip install 'kugelpendel[run]'"
+    )
+
+
+def _refuse(sentence: str) -> int:
+    print(f"kugelpendel: {sentence}", file=sys.stderr)
+    return _BAD_INPUT
+
+
+def _interrupt(number: int, frame: FrameType | None) -> None:
+    raise KeyboardInterrupt
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="kugelpendel",
+        description="The exact motion of the spherical pendulum and its precession.",
+        epilog="kugelpendel run --help shows what a job file looks like.",
+    )
+    parser.add_argument("--version", action="store_true", help="print the version and leave")
+    commands = parser.add_subparsers(dest="command", metavar="COMMAND")
+    run = commands.add_parser(
+        "run",
+        help="do the job that a file describes",
+        description="Print what the pendulum does, and write its track, a figure and the results.",
+        epilog=_EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    run.add_argument("file", type=Path, metavar="FILE.toml", help="the job")
+    run.add_argument(
+        "--out",
+        type=Path,
+        metavar="DIR",
+        help="folder for the files (default: out/JOB)",
+    )
+    run.add_argument(
+        "--json", action="store_true", help="print the results as JSON, and nothing else, on stdout"
+    )
+    run.add_argument(
+        "--format", choices=("csv", "netcdf", "parquet"), help="format of the track (default: csv)"
+    )
+    return parser

@@ -1,0 +1,68 @@
+"""A progress bar for work that takes longer than a person waits without wondering."""
+
+from __future__ import annotations
+
+import sys
+import time
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+    import rich.progress
+
+_PATIENCE = 1.0  # s
+
+
+class Progress:
+    """Counts work done; draws a bar on stderr once it has taken a second, and only on a terminal.
+
+    Parameters
+    ----------
+    title : str
+        What is being done.
+    total : int
+        How much work there is, in the units of `advance`.
+    """
+
+    def __init__(self, title: str, total: int) -> None:
+        self._title = title
+        self._total = total
+        self._done = 0
+        self._started = time.monotonic()
+        self._bar: rich.progress.Progress | None = None
+
+    def __enter__(self) -> Progress:
+        return self
+
+    def advance(self, amount: int) -> None:
+        """Count work as done."""
+        self._done += amount
+        if self._bar is None and self._is_due():
+            self._bar = self._draw()
+        if self._bar is not None:
+            self._bar.update(self._bar.task_ids[0], completed=self._done)
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if self._bar is not None:
+            self._bar.stop()
+
+    def _is_due(self) -> bool:
+        late = time.monotonic() - self._started > _PATIENCE
+        return late and self._done < self._total and sys.stderr.isatty()
+
+    def _draw(self) -> rich.progress.Progress:
+        from rich.console import Console
+        from rich.progress import BarColumn, TaskProgressColumn, TextColumn, TimeRemainingColumn
+        from rich.progress import Progress as Bar
+
+        columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn())
+        bar = Bar(*columns, TimeRemainingColumn(), console=Console(file=sys.stderr), transient=True)
+        bar.add_task(self._title, total=self._total, completed=self._done)
+        bar.start()
+        return bar

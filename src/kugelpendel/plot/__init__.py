@@ -1,0 +1,6 @@
+"""Figures of a motion, and the units in which numbers are shown."""
+
+import lazy_loader
+
+# matplotlib is imported with the first figure, not with the first unit.
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

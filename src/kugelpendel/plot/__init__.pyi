@@ -1,0 +1,23 @@
+from ._constants import Constants as Constants
+from ._overview import overview as overview
+from ._overview import save as save
+from ._turning import turning_rate as turning_rate
+from ._units import Unit as Unit
+from ._units import significant as significant
+from ._units import spell as spell
+from ._units import spell_percent as spell_percent
+from ._units import spell_rate as spell_rate
+from ._units import unit_for as unit_for
+
+__all__ = [
+    "Constants",
+    "Unit",
+    "overview",
+    "save",
+    "significant",
+    "spell",
+    "spell_percent",
+    "spell_rate",
+    "turning_rate",
+    "unit_for",
+]

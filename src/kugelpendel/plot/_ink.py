@@ -1,0 +1,69 @@
+"""Colours and line styles, told apart with any colour vision and in grey print."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.colors import LinearSegmentedColormap, Normalize
+
+from kugelpendel.plot._units import unit_for
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from numpy.typing import NDArray
+
+OUTER = "#b8443a"
+INNER = "#2a6f97"
+QUIET = "#8a8f98"
+TEXT = "#22262e"
+
+# The light end of viridis is lost on white paper.
+TIME = LinearSegmentedColormap.from_list(
+    "viridis on white", mpl.colormaps["viridis"](np.linspace(0.0, 0.92, 256))
+)
+
+_COLOURS = 128
+"""Lengths of one colour along the path: enough to look continuous, few enough for a small SVG."""
+
+
+class Timeline:
+    """The colours of time, from 0 to the last time drawn.
+
+    Parameters
+    ----------
+    until : float
+        Last time, s.
+    """
+
+    def __init__(self, until: float) -> None:
+        self.unit = unit_for(until, "s")
+        self._norm = Normalize(0, until / self.unit.size)
+
+    def draw(self, axes: Axes, pieces: list[NDArray[np.float64]]) -> LineCollection:
+        """Draw lines coloured by time.
+
+        Parameters
+        ----------
+        axes : Axes
+            Where to draw.
+        pieces : list of (n, 3) arrays
+            Time in s, and the point in the units of the axes.
+        """
+        segments = sum(len(piece) - 1 for piece in pieces)
+        step = max(4, math.ceil(segments / _COLOURS))
+        lines: list[NDArray[np.float64]] = []
+        times: list[float] = []
+        for piece in pieces:
+            for first in range(0, len(piece) - 1, step):
+                run = piece[first : first + step + 1]
+                lines.append(run[:, 1:])
+                times.append(float(run[:, 0].mean()) / self.unit.size)
+        drawn = LineCollection(lines, cmap=TIME, norm=self._norm, linewidths=1.1)
+        drawn.set_capstyle("round")
+        drawn.set_array(np.asarray(times))
+        axes.add_collection(drawn)
+        return drawn

@@ -1,0 +1,108 @@
+"""One figure of a motion: from above, from the side, and how its apsides turn."""
+
+# matplotlib's stubs leave **kwargs untyped.
+# pyright: reportUnknownMemberType=false
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import matplotlib as mpl
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
+from matplotlib.ticker import MaxNLocator
+
+from kugelpendel.plot import _ink
+from kugelpendel.plot._apsides import draw_apsides
+from kugelpendel.plot._path import visible_path
+from kugelpendel.plot._plan import draw_plan, draw_stretched, is_narrow
+from kugelpendel.plot._side import draw_side
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from matplotlib.typing import RcKeyType
+
+    from kugelpendel import ExactMotion
+
+_STYLE: dict[RcKeyType, Any] = {
+    "font.size": 10,
+    "axes.titlesize": 11,
+    "axes.titleweight": "bold",
+    "axes.labelcolor": _ink.TEXT,
+    "axes.edgecolor": _ink.QUIET,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.unicode_minus": True,
+    "axes.formatter.useoffset": False,
+    "axes.formatter.limits": (-4, 5),
+    "legend.fontsize": 9,
+    "svg.hashsalt": "kugelpendel",
+    "svg.fonttype": "none",
+}
+
+
+def overview(
+    motion: ExactMotion, duration: float, approximate: float | None = None, title: str = ""
+) -> Figure:
+    """Draw a motion from its launch on.
+
+    Parameters
+    ----------
+    motion : ExactMotion
+        One motion, not an ensemble.
+    duration : float
+        s. Of a long time only part of the swings is drawn, and the figure says which.
+    approximate : float or None
+        Precession by formula (25), rad/s, drawn beside the exact one; None where it does not apply.
+    title : str
+        Above the figure.
+
+    Returns
+    -------
+    Figure
+        Without a window or a global state; `save` writes it.
+
+    Raises
+    ------
+    InvalidInput
+        For an ensemble.
+    """
+    with mpl.rc_context(_STYLE):
+        path = visible_path(motion, duration)
+        narrow = is_narrow(path)
+        engine = ConstrainedLayoutEngine(w_pad=0.12, h_pad=0.1)
+        figure = Figure(figsize=(11, 8.2), layout=engine, dpi=130)
+        FigureCanvasAgg(figure)
+        grid = figure.add_gridspec(2, 2, width_ratios=(1.25, 1))
+        plan = figure.add_subplot(grid[0, 0] if narrow else grid[:, 0])
+        side = figure.add_subplot(grid[0, 1])
+        apsides = figure.add_subplot(grid[1, 1])
+        timeline = _ink.Timeline(path.until)
+        lines = draw_plan(plan, motion, path, timeline)
+        from_above = [plan]
+        if narrow:
+            stretched = figure.add_subplot(grid[1, 0])
+            draw_stretched(stretched, motion, path, timeline)
+            from_above.append(stretched)
+        draw_side(side, motion, path, timeline)
+        draw_apsides(apsides, motion, duration, approximate)
+        for axes in (*from_above, side, apsides):
+            axes.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
+            axes.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
+        bar = figure.colorbar(lines, ax=from_above, location="left", shrink=0.6, aspect=30)
+        bar.set_label(f"time ({timeline.unit.symbol})" + (path.caption and f", {path.caption}"))
+        bar.outline.set_visible(False)  # pyright: ignore[reportCallIssue]
+        if title:
+            figure.suptitle(title, fontsize=13, color=_ink.TEXT)
+    return figure
+
+
+def save(figure: Figure, path: Path | str) -> None:
+    """Write a figure; the ending of the name says as what: png, svg or pdf.
+
+    The same figure gives the same file, byte for byte, with the same version of matplotlib.
+    """
+    metadata = {"Date": None} if str(path).endswith(".svg") else None
+    with mpl.rc_context(_STYLE):
+        figure.savefig(path, metadata=metadata)

@@ -1,0 +1,132 @@
+"""Units that a reader takes in at a glance: 3.8 mm and not 0.0038 m, 31.8 h and not 114480 s."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+_DEGREE = math.pi / 180
+_HOUR = 3600.0
+_DAY = 24 * _HOUR
+_YEAR = 365.25 * _DAY
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit to read: its symbol, its size in the SI unit, and from which value on it is used."""
+
+    symbol: str
+    size: float
+    start: float
+
+
+_LADDERS: dict[str, list[Unit]] = {
+    "m": [
+        Unit("fm", 1e-15, 1e-15),
+        Unit("pm", 1e-12, 1e-12),
+        Unit("nm", 1e-9, 1e-9),
+        Unit("µm", 1e-6, 1e-6),
+        Unit("mm", 1e-3, 1e-3),
+        Unit("cm", 1e-2, 1e-2),
+        Unit("m", 1.0, 1.0),
+        Unit("km", 1e3, 1e4),
+    ],
+    "m/s": [
+        Unit("pm/s", 1e-12, 1e-12),
+        Unit("nm/s", 1e-9, 1e-9),
+        Unit("µm/s", 1e-6, 1e-6),
+        Unit("mm/s", 1e-3, 1e-3),
+        Unit("cm/s", 1e-2, 1e-2),
+        Unit("m/s", 1.0, 1.0),
+        Unit("km/s", 1e3, 1e4),
+    ],
+    "s": [
+        Unit("ns", 1e-9, 1e-9),
+        Unit("µs", 1e-6, 1e-6),
+        Unit("ms", 1e-3, 1e-3),
+        Unit("s", 1.0, 1.0),
+        Unit("min", 60.0, 120.0),
+        Unit("h", _HOUR, 2 * _HOUR),
+        Unit("d", _DAY, 3 * _DAY),
+        Unit("years", _YEAR, 2 * _YEAR),
+    ],
+    "rad": [
+        Unit("prad", 1e-12, 1e-12),
+        Unit("nrad", 1e-9, 1e-9),
+        Unit("µrad", 1e-6, 1e-6),
+        Unit("arcsec", _DEGREE / 3600, _DEGREE / 3600),
+        Unit("arcmin", _DEGREE / 60, _DEGREE / 60),
+        Unit("°", _DEGREE, _DEGREE),
+    ],
+    "kg": [
+        Unit("mg", 1e-6, 1e-6),
+        Unit("g", 1e-3, 1e-3),
+        Unit("kg", 1.0, 1.0),
+        Unit("t", 1e3, 1e3),
+    ],
+    "N": [
+        Unit("nN", 1e-9, 1e-9),
+        Unit("µN", 1e-6, 1e-6),
+        Unit("mN", 1e-3, 1e-3),
+        Unit("N", 1.0, 1.0),
+        Unit("kN", 1e3, 1e4),
+        Unit("MN", 1e6, 1e7),
+    ],
+}
+
+
+def unit_for(magnitude: float, si: str) -> Unit:
+    """The unit in which a value of this magnitude reads best.
+
+    Parameters
+    ----------
+    magnitude : float
+        The value, or the largest of several that share an axis, in the SI unit.
+    si : str
+        ``"m"``, ``"m/s"``, ``"s"``, ``"rad"``, ``"kg"`` or ``"N"``.
+
+    Returns
+    -------
+    Unit
+        For zero, and for what is smaller than the smallest unit, the SI unit itself.
+    """
+    ladder = _LADDERS[si]
+    size = abs(magnitude) * (1 + 1e-9)  # 0.01 m is 1 cm, however it was rounded
+    fitting = [unit for unit in ladder if unit.start <= size < math.inf]
+    return fitting[-1] if fitting else Unit(si, 1.0, 0.0)
+
+
+def spell(value: float, si: str, digits: int = 4) -> str:
+    """A value with its unit, such as ``"3.827 mm"``, to the given number of significant digits."""
+    unit = unit_for(value, si)
+    gap = "" if unit.symbol == "°" else " "
+    return f"{significant(value / unit.size, digits)}{gap}{unit.symbol}"
+
+
+def significant(value: float, digits: int = 4) -> str:
+    """A number to so many significant digits, without an exponent where it reads as well."""
+    if value == 0 or not math.isfinite(value):
+        return f"{value:g}" if value else "0"
+    exponent = math.floor(math.log10(abs(float(f"{value:.{digits - 1}e}"))))
+    if -5 <= exponent < max(digits, 6):
+        return f"{value:.{max(digits - 1 - exponent, 0)}f}"
+    return f"{value:.{digits - 1}e}"
+
+
+def spell_rate(rate: float, digits: int = 4) -> str:
+    """An angular velocity, given in rad/s, with its sign: in °/h if it is slow, else in °/s."""
+    hourly = rate / _DEGREE * _HOUR
+    if abs(hourly) < 3600:
+        return f"{_signed(hourly, digits)} °/h"
+    return f"{_signed(rate / _DEGREE, digits)} °/s"
+
+
+def _signed(value: float, digits: int) -> str:
+    return ("+" if value > 0 else "") + significant(value, digits).replace("-", "−")
+
+
+def spell_percent(fraction: float) -> str:
+    """A relative difference with its sign, or that there is none."""
+    if abs(fraction) < 5e-15:
+        return "the same"
+    return f"{_signed(100 * fraction, 2)} %"
