@@ -2,6 +2,7 @@
 
 use crate::exact::ExactMotion;
 use crate::invalid::Invalid;
+use crate::invariants::BLOCK;
 use crate::launch::Launch;
 use crate::pendulum::Pendulum;
 use crate::sampling::{Quantity, Times};
@@ -9,45 +10,66 @@ use crate::sampling::{Quantity, Times};
 /// Motions in a row, each good or with the reason why not.
 #[derive(Clone, Debug)]
 pub struct Ensemble {
-    motions: Vec<Result<ExactMotion, Invalid>>,
+    /// All but the last of them full.
+    blocks: Vec<Vec<Result<ExactMotion, Invalid>>>,
+    len: usize,
 }
 
 impl Ensemble {
     /// `case(i)` names the i-th pendulum and launch.
-    pub fn new(count: usize, case: impl Fn(usize) -> (Pendulum, Launch) + Sync) -> Self {
-        let solve = |index: usize| {
-            let (pendulum, launch) = case(index);
-            ExactMotion::new(pendulum, launch)
+    pub fn new(len: usize, case: impl Fn(usize) -> (Pendulum, Launch) + Sync) -> Self {
+        let solve = |block: usize| {
+            let first = block * BLOCK;
+            ExactMotion::solve_block(first..len.min(first + BLOCK), &case)
         };
+        let blocks = len.div_ceil(BLOCK);
         #[cfg(feature = "threads")]
-        let motions = {
+        if blocks > 16 {
             use rayon::prelude::*;
-            (0..count).into_par_iter().with_min_len(1024).map(solve).collect()
-        };
-        #[cfg(not(feature = "threads"))]
-        let motions = (0..count).map(solve).collect();
-        Self { motions }
+            let blocks = (0..blocks)
+                .into_par_iter()
+                .with_min_len(16)
+                .map(solve)
+                .collect();
+            return Self { blocks, len };
+        }
+        Self {
+            blocks: (0..blocks).map(solve).collect(),
+            len,
+        }
     }
 
     /// How many.
     pub fn len(&self) -> usize {
-        self.motions.len()
+        self.len
     }
 
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
-        self.motions.is_empty()
+        self.len == 0
     }
 
-    /// In their order.
-    pub fn motions(&self) -> &[Result<ExactMotion, Invalid>] {
-        &self.motions
+    /// The i-th.
+    ///
+    /// # Panics
+    /// If there are not so many.
+    pub fn motion(&self, index: usize) -> &Result<ExactMotion, Invalid> {
+        &self.blocks[index / BLOCK][index % BLOCK]
+    }
+
+    /// Index and reason of each bad case.
+    pub fn problems(&self) -> impl Iterator<Item = (usize, &Invalid)> {
+        let all = self.blocks.iter().flatten().enumerate();
+        all.filter_map(|(index, motion)| motion.as_ref().err().map(|invalid| (index, invalid)))
     }
 
     /// N numbers of each motion, NaN for the bad ones.
     pub fn map<const N: usize>(&self, quantity: impl Fn(&ExactMotion) -> [f64; N]) -> Vec<f64> {
-        let row = |motion: &Result<_, _>| motion.as_ref().map_or([f64::NAN; N], &quantity);
-        self.motions.iter().flat_map(row).collect()
+        let mut numbers = Vec::with_capacity(N * self.len);
+        for motion in self.blocks.iter().flatten() {
+            numbers.extend_from_slice(&motion.as_ref().map_or([f64::NAN; N], &quantity));
+        }
+        numbers
     }
 
     /// Positions or velocities, `out` divided evenly among the motions; NaN for the bad ones.
@@ -64,17 +86,17 @@ impl Ensemble {
         if out.is_empty() {
             return;
         }
-        let size = out.len() / self.motions.len();
-        let fill = |(motion, row): (&Result<ExactMotion, Invalid>, &mut [f64])| match motion {
+        let size = out.len() / self.len;
+        let fill = |(index, row): (usize, &mut [f64])| match self.motion(index) {
             Ok(motion) => fill(motion, row),
             Err(_) => row.fill(f64::NAN),
         };
         #[cfg(feature = "threads")]
-        if self.motions.len() > 1 {
+        if self.len > 1 {
             use rayon::prelude::*;
-            self.motions.par_iter().zip(out.par_chunks_exact_mut(size)).for_each(fill);
+            out.par_chunks_exact_mut(size).enumerate().for_each(fill);
             return;
         }
-        self.motions.iter().zip(out.chunks_exact_mut(size)).for_each(fill);
+        out.chunks_exact_mut(size).enumerate().for_each(fill);
     }
 }

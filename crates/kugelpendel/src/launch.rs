@@ -15,13 +15,23 @@ pub enum Launch {
     /// Plan view; the height follows, on the lower half.
     Plane { x: f64, y: f64, vx: f64, vy: f64 },
     /// θ from the downward vertical, φ counter-clockwise from x, and their rates.
-    Angles { theta: f64, phi: f64, theta_rate: f64, phi_rate: f64 },
+    Angles {
+        theta: f64,
+        phi: f64,
+        theta_rate: f64,
+        phi_rate: f64,
+    },
     /// Position from the support and velocity; projected onto the sphere and its tangent plane within [`TOLERANCE`].
-    State { position: [f64; 3], velocity: [f64; 3] },
+    State {
+        position: [f64; 3],
+        velocity: [f64; 3],
+    },
 }
 
 /// How far, relatively, a given state may lie off the sphere or its tangent plane and still be taken for rounding.
 pub const TOLERANCE: f64 = 1e-9;
+
+pub(crate) const STATE_NUMBERS: usize = 10;
 
 /// The launch without dimensions: lengths in l, times in 1/ω0. What a motion is computed from.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +55,10 @@ impl Launch {
     pub fn check(&self, pendulum: &Pendulum) -> Result<(), Invalid> {
         let length = pendulum.length;
         for (name, value, unit) in self.named_values() {
-            require!(value.is_finite(), "The launch's {name} must be a finite number, but it is {value} {unit}.");
+            require!(
+                value.is_finite(),
+                "The launch's {name} must be a finite number, but it is {value} {unit}."
+            );
         }
         match *self {
             Self::Ellipse { a, .. } => {
@@ -90,7 +103,12 @@ impl Launch {
                      Launch.plane(x, y, vx, vy) to let z follow."
                 );
                 let speed = norm(velocity);
-                let radial = position.iter().zip(velocity).map(|(r, v)| r * v).sum::<f64>() / radius;
+                let radial = position
+                    .iter()
+                    .zip(velocity)
+                    .map(|(r, v)| r * v)
+                    .sum::<f64>()
+                    / radius;
                 require!(
                     radial.abs() <= TOLERANCE * speed,
                     "The launch velocity would stretch the thread: its component along the thread is {radial} m/s of \
@@ -105,13 +123,28 @@ impl Launch {
     fn named_values(&self) -> [(&'static str, f64, &'static str); 6] {
         const NONE: (&str, f64, &str) = ("", 0.0, "");
         match *self {
-            Self::Ellipse { a, b, azimuth } | Self::Apsides { a, b, azimuth } => {
-                [("a", a, "m"), ("b", b, "m"), ("azimuth", azimuth, "rad"), NONE, NONE, NONE]
-            }
-            Self::Plane { x, y, vx, vy } => {
-                [("x", x, "m"), ("y", y, "m"), ("vx", vx, "m/s"), ("vy", vy, "m/s"), NONE, NONE]
-            }
-            Self::Angles { theta, phi, theta_rate, phi_rate } => [
+            Self::Ellipse { a, b, azimuth } | Self::Apsides { a, b, azimuth } => [
+                ("a", a, "m"),
+                ("b", b, "m"),
+                ("azimuth", azimuth, "rad"),
+                NONE,
+                NONE,
+                NONE,
+            ],
+            Self::Plane { x, y, vx, vy } => [
+                ("x", x, "m"),
+                ("y", y, "m"),
+                ("vx", vx, "m/s"),
+                ("vy", vy, "m/s"),
+                NONE,
+                NONE,
+            ],
+            Self::Angles {
+                theta,
+                phi,
+                theta_rate,
+                phi_rate,
+            } => [
                 ("theta", theta, "rad"),
                 ("phi", phi, "rad"),
                 ("theta_rate", theta_rate, "rad/s"),
@@ -119,7 +152,10 @@ impl Launch {
                 NONE,
                 NONE,
             ],
-            Self::State { position: [x, y, z], velocity: [vx, vy, vz] } => [
+            Self::State {
+                position: [x, y, z],
+                velocity: [vx, vy, vz],
+            } => [
                 ("x", x, "m"),
                 ("y", y, "m"),
                 ("z", z, "m"),
@@ -162,16 +198,28 @@ impl Launch {
                     climb,
                     speed_squared: plan_speed_squared / speed_unit.square() + climb.square(),
                     // From the exact products: what lies in a vertical plane has angular momentum 0, not 1e-33.
-                    angular_momentum: (Dd::product(x, vy) - Dd::product(y, vx)) / (length * speed_unit),
+                    angular_momentum: (Dd::product(x, vy) - Dd::product(y, vx))
+                        / (length * speed_unit),
                     plan: [x / pendulum.length, y / pendulum.length],
                     plan_velocity: [vx / speed_unit.hi, vy / speed_unit.hi],
                 }
             }
-            Self::Angles { theta, phi, theta_rate, phi_rate } => {
+            Self::Angles {
+                theta,
+                phi,
+                theta_rate,
+                phi_rate,
+            } => {
                 let (half_sine, half_cosine) = Dd::<A>::sin_cos(0.5 * theta);
-                let (height, depth) = (half_sine.square().scale(2.0), half_cosine.square().scale(2.0));
+                let (height, depth) = (
+                    half_sine.square().scale(2.0),
+                    half_cosine.square().scale(2.0),
+                );
                 let sine = (half_sine * half_cosine).scale(2.0);
-                let (polar, azimuthal) = (Dd::from(theta_rate) / omega0, sine * (Dd::from(phi_rate) / omega0));
+                let (polar, azimuthal) = (
+                    Dd::from(theta_rate) / omega0,
+                    sine * (Dd::from(phi_rate) / omega0),
+                );
                 let (sin_phi, cos_phi) = phi.sin_cos();
                 let outward = (Dd::ONE - height).hi * polar.hi;
                 State {
@@ -187,16 +235,24 @@ impl Launch {
                     ],
                 }
             }
-            Self::State { position: [x, y, z], velocity: [vx, vy, vz] } => {
+            Self::State {
+                position: [x, y, z],
+                velocity: [vx, vy, vz],
+            } => {
                 let speed_unit = length * omega0;
                 let radius_squared = Dd::product(x, x) + Dd::product(y, y) + Dd::product(z, z);
                 let radius = radius_squared.sqrt();
                 let cosine = Dd::from(z) / radius;
                 let farther = Dd::ONE + cosine.abs();
                 let nearer = (Dd::product(x, x) + Dd::product(y, y)) / radius_squared / farther;
-                let (height, depth) = if z >= 0.0 { (nearer, farther) } else { (farther, nearer) };
+                let (height, depth) = if z >= 0.0 {
+                    (nearer, farther)
+                } else {
+                    (farther, nearer)
+                };
                 let speed_squared = Dd::product(vx, vx) + Dd::product(vy, vy) + Dd::product(vz, vz);
-                let radial = (Dd::product(x, vx) + Dd::product(y, vy) + Dd::product(z, vz)) / radius;
+                let radial =
+                    (Dd::product(x, vx) + Dd::product(y, vy) + Dd::product(z, vz)) / radius;
                 // The radial part, which is rounding, is taken away; from x·vy − y·vx it drops out by itself.
                 let share = (radial / radius).hi;
                 State {
@@ -204,9 +260,13 @@ impl Launch {
                     depth,
                     climb: (radial * cosine - Dd::from(vz)) / speed_unit,
                     speed_squared: (speed_squared - radial.square()) / speed_unit.square(),
-                    angular_momentum: (Dd::product(x, vy) - Dd::product(y, vx)) / (radius * speed_unit),
+                    angular_momentum: (Dd::product(x, vy) - Dd::product(y, vx))
+                        / (radius * speed_unit),
                     plan: [x / radius.hi, y / radius.hi],
-                    plan_velocity: [(vx - share * x) / speed_unit.hi, (vy - share * y) / speed_unit.hi],
+                    plan_velocity: [
+                        (vx - share * x) / speed_unit.hi,
+                        (vy - share * y) / speed_unit.hi,
+                    ],
                 }
             }
         }
@@ -214,6 +274,43 @@ impl Launch {
 }
 
 impl<A: Arithmetic> State<A> {
+    pub(crate) const REST: Self = Self {
+        height: Dd::ZERO,
+        depth: Dd::raw(2.0, 0.0),
+        climb: Dd::ZERO,
+        speed_squared: Dd::ZERO,
+        angular_momentum: Dd::ZERO,
+        plan: [0.0; 2],
+        plan_velocity: [0.0; 2],
+    };
+
+    /// All but the plan view.
+
+    #[inline(always)]
+    pub(crate) fn numbers(&self) -> [f64; STATE_NUMBERS] {
+        let Self {
+            height: s,
+            depth: d,
+            climb: c,
+            speed_squared: v,
+            angular_momentum: l,
+            ..
+        } = self;
+        [s.hi, s.lo, d.hi, d.lo, c.hi, c.lo, v.hi, v.lo, l.hi, l.lo]
+    }
+
+    #[inline(always)]
+    pub(crate) fn from_numbers(numbers: [f64; STATE_NUMBERS]) -> Self {
+        Self {
+            height: Dd::raw(numbers[0], numbers[1]),
+            depth: Dd::raw(numbers[2], numbers[3]),
+            climb: Dd::raw(numbers[4], numbers[5]),
+            speed_squared: Dd::raw(numbers[6], numbers[7]),
+            angular_momentum: Dd::raw(numbers[8], numbers[9]),
+            ..Self::REST
+        }
+    }
+
     /// At a turning point: horizontal radius, and speed at right angles to it.
     #[inline(always)]
     fn sideways(height: Dd<A>, radius: Dd<A>, speed: Dd<A>, azimuth: f64) -> Self {

@@ -48,7 +48,10 @@ impl Times<'_> {
     #[inline(always)]
     fn at<A: Arithmetic>(&self, index: usize) -> Pair {
         match *self {
-            Times::Scattered(times) => Pair { hi: times[index], lo: 0.0 },
+            Times::Scattered(times) => Pair {
+                hi: times[index],
+                lo: 0.0,
+            },
             Times::Grid { start, step, first } => {
                 (Dd::<A>::product(step, (first + index) as f64) + Dd::from(start)).pair()
             }
@@ -58,7 +61,11 @@ impl Times<'_> {
     fn from(&self, index: usize) -> Self {
         match *self {
             Times::Scattered(times) => Times::Scattered(&times[index..]),
-            Times::Grid { start, step, first } => Times::Grid { start, step, first: first + index },
+            Times::Grid { start, step, first } => Times::Grid {
+                start,
+                step,
+                first: first + index,
+            },
         }
     }
 }
@@ -80,7 +87,9 @@ impl ExactMotion {
             if out.len() > 3 * TASK {
                 out.par_chunks_mut(3 * TASK)
                     .enumerate()
-                    .for_each(|(task, part)| fill_part(&plan, quantity, times.from(task * TASK), part));
+                    .for_each(|(task, part)| {
+                        fill_part(&plan, quantity, times.from(task * TASK), part)
+                    });
                 return;
             }
         }
@@ -121,12 +130,20 @@ impl Plan {
         let clock = motion.clock();
         let (chart, turn) = motion.chart(&clock);
         let rotations = match (times, clock, &chart) {
-            (Times::Grid { step, .. }, Clock::Periodic { swings, frame, .. }, Chart::Trigonometric(_)) => {
-                Some(rotations(*step, swings, frame))
-            }
+            (
+                Times::Grid { step, .. },
+                Clock::Periodic { swings, frame, .. },
+                Chart::Trigonometric(_),
+            ) => Some(rotations(*step, swings, frame)),
             _ => None,
         };
-        Self { chart, clock, length: motion.pendulum.length, turn, rotations }
+        Self {
+            chart,
+            clock,
+            length: motion.pendulum.length,
+            turn,
+            rotations,
+        }
     }
 }
 
@@ -136,7 +153,10 @@ dispatch! {
 
 #[inline(always)]
 fn rotations_with<A: Arithmetic>(_: A, step: f64, swings: Pair, frame: Pair) -> Box<Rotations> {
-    let mut table = Box::new(Rotations { swing: [[0.0; BLOCK]; 2], frame: [[0.0; BLOCK]; 2] });
+    let mut table = Box::new(Rotations {
+        swing: [[0.0; BLOCK]; 2],
+        frame: [[0.0; BLOCK]; 2],
+    });
     for k in 0..BLOCK {
         let time = Dd::<A>::product(step, k as f64).pair();
         let (whole, rest) = turns::fraction::<A>(swings, time);
@@ -152,7 +172,13 @@ dispatch! {
 }
 
 #[inline(always)]
-fn fill_part_with<A: Arithmetic>(_: A, plan: &Plan, quantity: Quantity, times: Times<'_>, out: &mut [f64]) {
+fn fill_part_with<A: Arithmetic>(
+    _: A,
+    plan: &Plan,
+    quantity: Quantity,
+    times: Times<'_>,
+    out: &mut [f64],
+) {
     match &plan.chart {
         Chart::Trigonometric(chart) => series::<A>(plan, chart, quantity, times, out),
         Chart::Hyperbolic(_) | Chart::Still(_) => {
@@ -195,7 +221,10 @@ struct Scattered<'a> {
 impl<A: Arithmetic> Directions<A> for Scattered<'_> {
     #[inline(always)]
     fn at(&self, k: usize) -> [[f64; 2]; 2] {
-        self.hands.at::<A>(Pair { hi: self.times[k], lo: 0.0 })
+        self.hands.at::<A>(Pair {
+            hi: self.times[k],
+            lo: 0.0,
+        })
     }
 }
 
@@ -231,19 +260,43 @@ fn series<A: Arithmetic>(
     times: Times<'_>,
     out: &mut [f64],
 ) {
-    let Clock::Periodic { swings, frame, start } = plan.clock else { return };
-    let scale = Scale { length: plan.length, swing: PI * swings.hi, frame: TAU * frame.hi };
-    let swing = Pair { hi: 0.5 * swings.hi, lo: 0.5 * swings.lo };
-    let hands = Hands { swing, frame, start: [0.5 * start.hi, plan.turn] };
+    let Clock::Periodic {
+        swings,
+        frame,
+        start,
+    } = plan.clock
+    else {
+        return;
+    };
+    let scale = Scale {
+        length: plan.length,
+        swing: PI * swings.hi,
+        frame: TAU * frame.hi,
+    };
+    let swing = Pair {
+        hi: 0.5 * swings.hi,
+        lo: 0.5 * swings.lo,
+    };
+    let hands = Hands {
+        swing,
+        frame,
+        start: [0.5 * start.hi, plan.turn],
+    };
     for (block, out) in out.chunks_mut(3 * BLOCK).enumerate() {
         let (first, count) = (block * BLOCK, out.len() / 3);
         match (times, &plan.rotations) {
             (Times::Scattered(times), _) => {
-                let directions = Scattered { hands: &hands, times: &times[first..first + count] };
+                let directions = Scattered {
+                    hands: &hands,
+                    times: &times[first..first + count],
+                };
                 by_degree::<A>(chart, quantity, scale, out, &directions);
             }
             (Times::Grid { .. }, Some(table)) => {
-                let directions = Grid { anchor: hands.at::<A>(times.at::<A>(first)), table };
+                let directions = Grid {
+                    anchor: hands.at::<A>(times.at::<A>(first)),
+                    table,
+                };
                 by_degree::<A>(chart, quantity, scale, out, &directions);
             }
             (Times::Grid { .. }, None) => unreachable!("a grid comes with its table of rotations"),
@@ -292,8 +345,16 @@ fn evaluate<A: Arithmetic, const DEGREE: usize, const FROM_ABOVE: bool, const RA
 
 /// From the turning frame to x, y and z, or to their rates.
 #[inline(always)]
-fn seen_from_outside<A: Arithmetic, const RATES: bool>(shape: &Shape, direction: [f64; 2], scale: Scale) -> [f64; 3] {
-    let Scale { length, swing, frame } = scale;
+fn seen_from_outside<A: Arithmetic, const RATES: bool>(
+    shape: &Shape,
+    direction: [f64; 2],
+    scale: Scale,
+) -> [f64; 3] {
+    let Scale {
+        length,
+        swing,
+        frame,
+    } = scale;
     let (plan, z) = if RATES {
         let x = A::mul_add(swing, shape.x_rate, -(frame * shape.y));
         let y = A::mul_add(swing, shape.y_rate, frame * shape.x);
@@ -310,7 +371,14 @@ impl Plan {
     #[inline(always)]
     fn point<A: Arithmetic>(&self, quantity: Quantity, time: Pair) -> [f64; 3] {
         let (shape, direction, swing, frame) = match (&self.chart, self.clock) {
-            (Chart::Hyperbolic(chart), Clock::Periodic { swings, frame, start }) => {
+            (
+                Chart::Hyperbolic(chart),
+                Clock::Periodic {
+                    swings,
+                    frame,
+                    start,
+                },
+            ) => {
                 let (whole, rest) = turns::fraction::<A>(swings, time);
                 let (sum, error) = two_sum(whole, start.hi);
                 let small = rest + (error + start.lo);
@@ -321,20 +389,43 @@ impl Plan {
                 let odd = 0.5 * completed.rem_euclid(2.0);
                 let twist = chart.twist();
                 let (whole, rest) = turns::fraction::<A>(frame, time);
-                let direction = turns::cos_sin::<A>(whole, rest + (self.turn + twist * fraction) + odd);
+                let direction =
+                    turns::cos_sin::<A>(whole, rest + (self.turn + twist * fraction) + odd);
                 let turning = TAU * (frame.hi + twist * swings.hi);
-                (chart.at(chart.span * fraction), direction, chart.span * swings.hi, turning)
+                (
+                    chart.at(chart.span * fraction),
+                    direction,
+                    chart.span * swings.hi,
+                    turning,
+                )
             }
             (Chart::Hyperbolic(chart), Clock::Once { rate, start }) => {
                 let direction = turns::cos_sin::<A>(self.turn, 0.0);
-                (chart.at(A::mul_add(rate, time.hi, start)), direction, rate, 0.0)
+                (
+                    chart.at(A::mul_add(rate, time.hi, start)),
+                    direction,
+                    rate,
+                    0.0,
+                )
             }
-            (Chart::Still([x, y, height]), _) => {
-                (Shape { x: *x, y: *y, height: *height, ..Shape::default() }, [1.0, 0.0], 0.0, 0.0)
-            }
+            (Chart::Still([x, y, height]), _) => (
+                Shape {
+                    x: *x,
+                    y: *y,
+                    height: *height,
+                    ..Shape::default()
+                },
+                [1.0, 0.0],
+                0.0,
+                0.0,
+            ),
             (chart, clock) => unreachable!("{clock:?} does not go with {chart:?}"),
         };
-        let scale = Scale { length: self.length, swing, frame };
+        let scale = Scale {
+            length: self.length,
+            swing,
+            frame,
+        };
         match quantity {
             Quantity::Position => seen_from_outside::<A, false>(&shape, direction, scale),
             Quantity::Velocity => seen_from_outside::<A, true>(&shape, direction, scale),

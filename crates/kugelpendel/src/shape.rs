@@ -25,8 +25,18 @@ pub(crate) struct Factor {
 
 impl Factor {
     pub(crate) fn scaled(self, scale: f64) -> Self {
-        let Self { re, im, re_rate, im_rate } = self;
-        Self { re: scale * re, im: scale * im, re_rate: scale * re_rate, im_rate: scale * im_rate }
+        let Self {
+            re,
+            im,
+            re_rate,
+            im_rate,
+        } = self;
+        Self {
+            re: scale * re,
+            im: scale * im,
+            re_rate: scale * re_rate,
+            im_rate: scale * im_rate,
+        }
     }
 }
 
@@ -65,7 +75,10 @@ impl Shape {
 /// What α and β have to be multiplied by, given |α|/δ at the highest point, where |α|² ∝ s is largest, and |β|/δ at the
 /// lowest, where |β|² ∝ 2 − s is; lengths in m.
 pub(crate) fn scales(length: f64, turning: &Turning, alpha: f64, beta: f64) -> [f64; 2] {
-    [(length * turning.high).sqrt() / alpha, (length * turning.low_depth).sqrt() / beta]
+    [
+        (length * turning.high).sqrt() / alpha,
+        (length * turning.low_depth).sqrt() / beta,
+    ]
 }
 
 /// Of two complex numbers.
