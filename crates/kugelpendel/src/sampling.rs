@@ -13,7 +13,7 @@ use crate::trigonometric::{MAX_DEGREE, Trigonometric};
 use crate::turns;
 use std::f64::consts::{PI, TAU};
 
-const BLOCK: usize = 256;
+const BLOCK: usize = 384;
 
 /// Blocks that one thread takes at a time; smaller requests stay on the caller's thread.
 #[cfg(feature = "threads")]

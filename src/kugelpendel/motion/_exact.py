@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
+from math import prod
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -60,7 +61,7 @@ class ExactMotion:
                 f"together; give one of them another axis."
             ) from None
         self._motions = _core.ExactMotions(
-            int(np.prod(self._shape)),
+            self._count,
             [self._column(value) for value in pendulum.values],
             launch.kind,
             [self._column(value) for value in launch.values],
@@ -92,7 +93,7 @@ class ExactMotion:
     @cached_property
     def reason(self) -> NDArray[np.str_]:
         """Why a case of the ensemble is bad, "" where it is good: shape `shape`."""
-        sentences = [""] * int(np.prod(self._shape))
+        sentences = [""] * self._count
         for index, sentence in self._motions.problems():
             sentences[index] = sentence
         return np.array(sentences, dtype=np.str_).reshape(self._shape)
@@ -263,11 +264,11 @@ class ExactMotion:
 
     @property
     def _count(self) -> int:
-        return int(np.prod(self._shape))
+        return prod(self._shape)
 
     def _column(self, value: Scalars) -> Numbers:
-        if isinstance(value, float) or value.size == 1:
-            return np.full(1, value)
+        if isinstance(value, float):
+            return np.array([value])
         return np.ascontiguousarray(np.broadcast_to(value, self._shape).ravel())
 
     def _times(self, t: ArrayLike, numbers_each: int) -> Numbers:

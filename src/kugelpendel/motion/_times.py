@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import operator
 import os
+from functools import cache
 from math import isfinite
 
 import numpy as np
@@ -56,6 +57,7 @@ def check_memory(count: int, numbers_each: int) -> None:
         )
 
 
+@cache
 def _memory() -> int:
     """Bytes of memory in this machine; where it does not tell, as much as can be addressed."""
     try:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._invalid import InvalidInput
-from ._numbers import Scalars, as_numbers, equal, hashed
+from ._numbers import Scalars, as_numbers, common_shape, equal, hashed
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,7 +126,7 @@ class Launch:
     @property
     def shape(self) -> tuple[int, ...]:
         """Of the ensemble; () for a single launch."""
-        return np.broadcast_shapes(*(np.shape(value) for value in self.values))
+        return common_shape(self.values)
 
     def __eq__(self, other: object) -> bool:
         return (

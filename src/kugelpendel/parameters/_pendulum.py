@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _core
 from ._invalid import InvalidInput
-from ._numbers import Scalars, as_numbers, equal, hashed
+from ._numbers import Scalars, as_numbers, common_shape, equal, hashed
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -55,12 +55,12 @@ class Pendulum:
     @property
     def values(self) -> tuple[Scalars, ...]:
         """Length, gravity and mass."""
-        return tuple(getattr(self, field.name) for field in fields(self))
+        return (self.length, self.gravity, self.mass)
 
     @property
     def shape(self) -> tuple[int, ...]:
         """Of the ensemble; () for a single pendulum."""
-        return np.broadcast_shapes(*(np.shape(value) for value in self.values))
+        return common_shape(self.values)
 
     @property
     def angular_frequency(self) -> Scalars:
