@@ -60,7 +60,7 @@ def parquet(path: Path, count: int) -> Generator[Write]:
     schema = pa.schema(
         [pa.field(name, pa.float64(), metadata={"units": unit}) for name, unit in COLUMNS.items()]
     )
-    with ParquetWriter(path, schema) as table:
+    with ParquetWriter(path, schema, use_dictionary=False) as table:
         yield lambda block: table.write_batch(_batch(block, schema))
 
 

@@ -1,5 +1,8 @@
 """Figures of a motion, and the units in which numbers are shown."""
 
+# lazy_loader has no types; those of the names are in `__init__.pyi`.
+# pyright: reportMissingTypeStubs=false, reportUnknownVariableType=false
+
 import lazy_loader
 
 # matplotlib is imported with the first figure, not with the first unit.

@@ -62,7 +62,9 @@ def draw_plan(axes: Axes, motion: ExactMotion, path: Path, timeline: Timeline) -
     )
     if is_narrow(path):
         # Beside the square there is room enough; the layout must not make more.
-        legend = axes.legend(loc="center left", bbox_to_anchor=(1.05, 0.5), frameon=False)
+        legend = axes.legend(
+            loc="center left", bbox_to_anchor=(1.02, 0.5), frameon=False, handlelength=1.4
+        )
         legend.set_in_layout(False)
     else:
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=2, frameon=False)
