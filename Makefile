@@ -46,7 +46,7 @@ check: $(STAMPS)/package $(STAMPS)/check  ## format, lints, types, import contra
 	$(BIN)/lint-imports --no-logo
 
 bench: $(STAMPS)/package $(STAMPS)/bench  ## every speed ratio against the peers, from one run
-	$(BIN)/python benchmarks/run.py
+	$(BIN)/python benchmarks/run.py --write docs/benchmarks.md
 
 wheel: $(STAMPS)/run  ## a wheel in dist/
 	$(BIN)/maturin build --release --locked --interpreter $(BIN)/python --out dist

@@ -5,6 +5,9 @@ Conventions: SI units and radians; the support is the origin and z points down, 
 above. The names live in `__init__.pyi`; each is imported when it is first used.
 """
 
+# lazy_loader has no types; those of the names are in `__init__.pyi`.
+# pyright: reportMissingTypeStubs=false, reportUnknownVariableType=false
+
 import lazy_loader
 
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -5,3 +5,13 @@ from .observables import swing_frequency as swing_frequency
 from .parameters import InvalidInput as InvalidInput
 from .parameters import Launch as Launch
 from .parameters import Pendulum as Pendulum
+
+__all__ = [
+    "ExactMotion",
+    "InvalidInput",
+    "Launch",
+    "Pendulum",
+    "Spectrum",
+    "precession_rate",
+    "swing_frequency",
+]

@@ -13,29 +13,22 @@ struct ExactMotions {
 }
 
 type Numbers<'py> = Bound<'py, PyArray1<f64>>;
-type Harmonics<'py> = (
-    Bound<'py, PyArray1<i32>>,
-    Numbers<'py>,
-    Bound<'py, PyArray1<Complex64>>,
-);
+type Harmonics<'py> = (Bound<'py, PyArray1<i32>>, Numbers<'py>, Bound<'py, PyArray1<Complex64>>);
 
 /// Columns of one value for all or of one value each.
 struct Columns<'a>(Vec<&'a [f64]>);
 
 impl Columns<'_> {
     fn row<const N: usize>(&self, index: usize) -> [f64; N] {
-        std::array::from_fn(|k| {
-            if self.0[k].len() == 1 {
-                self.0[k][0]
-            } else {
-                self.0[k][index]
-            }
-        })
+        std::array::from_fn(|k| if self.0[k].len() == 1 { self.0[k][0] } else { self.0[k][index] })
     }
 }
 
+/// Makes the launch of one row.
+type Launcher = fn(&Columns<'_>, usize) -> Launch;
+
 /// What turns a row of numbers into a launch of the given kind, and how many numbers it takes.
-fn launcher(kind: &str) -> Option<(usize, fn(&Columns<'_>, usize) -> Launch)> {
+fn launcher(kind: &str) -> Option<(usize, Launcher)> {
     Some(match kind {
         "ellipse" => (3, |columns, i| {
             let [a, b, azimuth] = columns.row(i);
@@ -51,19 +44,11 @@ fn launcher(kind: &str) -> Option<(usize, fn(&Columns<'_>, usize) -> Launch)> {
         }),
         "angles" => (4, |columns, i| {
             let [theta, phi, theta_rate, phi_rate] = columns.row(i);
-            Launch::Angles {
-                theta,
-                phi,
-                theta_rate,
-                phi_rate,
-            }
+            Launch::Angles { theta, phi, theta_rate, phi_rate }
         }),
         "state" => (6, |columns, i| {
             let [x, y, z, vx, vy, vz] = columns.row(i);
-            Launch::State {
-                position: [x, y, z],
-                velocity: [vx, vy, vz],
-            }
+            Launch::State { position: [x, y, z], velocity: [vx, vy, vz] }
         }),
         _ => return None,
     })
@@ -80,26 +65,12 @@ impl ExactMotions {
         kind: &str,
         values: Vec<PyReadonlyArray1<'_, f64>>,
     ) -> PyResult<Self> {
-        let (width, launch) = launcher(kind)
-            .ok_or_else(|| PyValueError::new_err(format!("there is no launch of kind {kind:?}")))?;
-        let pendulum = Columns(
-            pendulum
-                .iter()
-                .map(PyReadonlyArray1::as_slice)
-                .collect::<Result<_, _>>()?,
-        );
-        let values = Columns(
-            values
-                .iter()
-                .map(PyReadonlyArray1::as_slice)
-                .collect::<Result<_, _>>()?,
-        );
+        let (width, launch) =
+            launcher(kind).ok_or_else(|| PyValueError::new_err(format!("there is no launch of kind {kind:?}")))?;
+        let pendulum = Columns(pendulum.iter().map(PyReadonlyArray1::as_slice).collect::<Result<_, _>>()?);
+        let values = Columns(values.iter().map(PyReadonlyArray1::as_slice).collect::<Result<_, _>>()?);
         let fits = |columns: &Columns<'_>, width| {
-            columns.0.len() == width
-                && columns
-                    .0
-                    .iter()
-                    .all(|column| column.len() == 1 || column.len() == count)
+            columns.0.len() == width && columns.0.iter().all(|column| column.len() == 1 || column.len() == count)
         };
         if !fits(&pendulum, 3) || !fits(&values, width) {
             return Err(PyValueError::new_err(format!(
@@ -109,14 +80,7 @@ impl ExactMotions {
         let ensemble = py.detach(|| {
             Ensemble::new(count, |i| {
                 let [length, gravity, mass] = pendulum.row(i);
-                (
-                    Pendulum {
-                        length,
-                        gravity,
-                        mass,
-                    },
-                    launch(&values, i),
-                )
+                (Pendulum { length, gravity, mass }, launch(&values, i))
             })
         });
         Ok(Self { ensemble })
@@ -124,48 +88,25 @@ impl ExactMotions {
 
     /// Index and sentence of each bad case.
     fn problems(&self) -> Vec<(usize, String)> {
-        self.ensemble
-            .problems()
-            .map(|(index, invalid)| (index, invalid.to_string()))
-            .collect()
+        self.ensemble.problems().map(|(index, invalid)| (index, invalid.to_string())).collect()
     }
 
-    fn position<'py>(
-        &self,
-        py: Python<'py>,
-        times: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<Numbers<'py>> {
+    fn position<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {
         self.scattered(py, Quantity::Position, &times)
     }
 
-    fn velocity<'py>(
-        &self,
-        py: Python<'py>,
-        times: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<Numbers<'py>> {
+    fn velocity<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {
         self.scattered(py, Quantity::Velocity, &times)
     }
 
     fn sample<'py>(&self, py: Python<'py>, start: f64, step: f64, count: usize) -> Numbers<'py> {
-        let times = Times::Grid {
-            start,
-            step,
-            first: 0,
-        };
-        self.filled(py, 3 * count, |out| {
-            self.ensemble.fill(Quantity::Position, times, out)
-        })
+        let times = Times::Grid { start, step, first: 0 };
+        self.filled(py, 3 * count, |out| self.ensemble.fill(Quantity::Position, times, out))
     }
 
-    fn tension<'py>(
-        &self,
-        py: Python<'py>,
-        times: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<Numbers<'py>> {
+    fn tension<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {
         let times = times.as_slice()?;
-        Ok(self.filled(py, times.len(), |out| {
-            self.ensemble.fill_tension(times, out)
-        }))
+        Ok(self.filled(py, times.len(), |out| self.ensemble.fill_tension(times, out)))
     }
 
     fn frequency<'py>(&self, py: Python<'py>) -> Numbers<'py> {
@@ -212,21 +153,25 @@ impl ExactMotions {
         self.each(py, ExactMotion::tension_range)
     }
 
-    /// (order, frequency, amplitude) in the plan view and of the height, for the motion at `index`.
-    fn spectrum<'py>(
-        &self,
-        py: Python<'py>,
-        index: usize,
-        pairs: usize,
-    ) -> PyResult<(Harmonics<'py>, Harmonics<'py>)> {
-        let invalid = |error: kugelpendel::Invalid| PyValueError::new_err(error.to_string());
-        let motion = self
-            .ensemble
-            .motion(index)
-            .as_ref()
-            .map_err(|error| invalid(error.clone()))?;
-        let spectrum = motion.spectrum(pairs).map_err(invalid)?;
-        Ok((columns(py, &spectrum.plan), columns(py, &spectrum.vertical)))
+    /// (order, frequency, amplitude) in the plan view and of the height, row after row; NaN and the order 0 where there
+    /// is no spectrum, and why.
+    fn spectrum<'py>(&self, py: Python<'py>, pairs: usize) -> (Harmonics<'py>, Harmonics<'py>, Vec<(usize, String)>) {
+        const ABSENT: Harmonic = Harmonic { order: 0, frequency: f64::NAN, amplitude: [f64::NAN; 2] };
+        let (mut plan, mut vertical, mut problems) = (Vec::new(), Vec::new(), Vec::new());
+        for index in 0..self.ensemble.len() {
+            match self.ensemble.motion(index).clone().and_then(|motion| motion.spectrum(pairs)) {
+                Ok(spectrum) => {
+                    plan.extend(spectrum.plan);
+                    vertical.extend(spectrum.vertical);
+                }
+                Err(reason) => {
+                    problems.push((index, reason.to_string()));
+                    plan.extend(vec![ABSENT; 2 * pairs]);
+                    vertical.extend(vec![ABSENT; pairs + 1]);
+                }
+            }
+        }
+        (columns(py, &plan), columns(py, &vertical), problems)
     }
 }
 
@@ -238,18 +183,11 @@ impl ExactMotions {
         times: &PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Numbers<'py>> {
         let times = times.as_slice()?;
-        Ok(self.filled(py, 3 * times.len(), |out| {
-            self.ensemble.fill(quantity, Times::Scattered(times), out)
-        }))
+        Ok(self.filled(py, 3 * times.len(), |out| self.ensemble.fill(quantity, Times::Scattered(times), out)))
     }
 
     /// A new array with `width` numbers for each motion, filled without holding the interpreter.
-    fn filled<'py>(
-        &self,
-        py: Python<'py>,
-        width: usize,
-        fill: impl Fn(&mut [f64]) + Send + Sync,
-    ) -> Numbers<'py> {
+    fn filled<'py>(&self, py: Python<'py>, width: usize, fill: impl Fn(&mut [f64]) + Send + Sync) -> Numbers<'py> {
         // SAFETY: every element is written by `fill` before anyone else sees the array.
         let array = unsafe { PyArray1::<f64>::new(py, width * self.ensemble.len(), false) };
         // SAFETY: nobody else has the array yet.
@@ -258,11 +196,7 @@ impl ExactMotions {
         array
     }
 
-    fn each<'py, const N: usize>(
-        &self,
-        py: Python<'py>,
-        quantity: impl Fn(&ExactMotion) -> [f64; N],
-    ) -> Numbers<'py> {
+    fn each<'py, const N: usize>(&self, py: Python<'py>, quantity: impl Fn(&ExactMotion) -> [f64; N]) -> Numbers<'py> {
         self.ensemble.map(quantity).into_pyarray(py)
     }
 }
@@ -270,28 +204,14 @@ impl ExactMotions {
 fn columns<'py>(py: Python<'py>, harmonics: &[Harmonic]) -> Harmonics<'py> {
     let order: Vec<_> = harmonics.iter().map(|h| h.order).collect();
     let frequency: Vec<_> = harmonics.iter().map(|h| h.frequency).collect();
-    let amplitude: Vec<_> = harmonics
-        .iter()
-        .map(|h| Complex64::new(h.amplitude[0], h.amplitude[1]))
-        .collect();
-    (
-        order.into_pyarray(py),
-        frequency.into_pyarray(py),
-        amplitude.into_pyarray(py),
-    )
+    let amplitude: Vec<_> = harmonics.iter().map(|h| Complex64::new(h.amplitude[0], h.amplitude[1])).collect();
+    (order.into_pyarray(py), frequency.into_pyarray(py), amplitude.into_pyarray(py))
 }
 
 /// The sentence that says what is wrong with a pendulum, if anything is.
 #[pyfunction]
 fn pendulum_problem(length: f64, gravity: f64, mass: f64) -> Option<String> {
-    Pendulum {
-        length,
-        gravity,
-        mass,
-    }
-    .check()
-    .err()
-    .map(|invalid| invalid.to_string())
+    Pendulum { length, gravity, mass }.check().err().map(|invalid| invalid.to_string())
 }
 
 /// The compiled part of the Python package.

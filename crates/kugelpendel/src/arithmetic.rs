@@ -52,11 +52,7 @@ impl Arithmetic for Portable {
     fn round(a: f64) -> f64 {
         // Adding 1.5·2^52 pushes the fraction out; beyond 2^51 a binary64 number of turns has no useful fraction left.
         const PUSH: f64 = 6_755_399_441_055_744.0;
-        if a.abs() < 2_251_799_813_685_248.0 {
-            (a + PUSH) - PUSH
-        } else {
-            a.round_ties_even()
-        }
+        if a.abs() < 2_251_799_813_685_248.0 { (a + PUSH) - PUSH } else { a.round_ties_even() }
     }
 }
 
@@ -80,8 +76,7 @@ pub fn fused() -> bool {
         }
         #[cfg(target_arch = "x86_64")]
         {
-            std::arch::is_x86_feature_detected!("avx2")
-                && std::arch::is_x86_feature_detected!("fma")
+            std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma")
         }
         #[cfg(not(target_arch = "x86_64"))]
         {

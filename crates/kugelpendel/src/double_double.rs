@@ -39,17 +39,12 @@ const fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
 impl<A: Arithmetic> Dd<A> {
     pub(crate) const ZERO: Self = Self::raw(0.0, 0.0);
     pub(crate) const ONE: Self = Self::raw(1.0, 0.0);
-    pub(crate) const SQRT_HALF: Self =
-        Self::raw(std::f64::consts::FRAC_1_SQRT_2, -4.833646656726457e-17);
+    pub(crate) const SQRT_HALF: Self = Self::raw(std::f64::consts::FRAC_1_SQRT_2, -4.833646656726457e-17);
     pub(crate) const INV_PI: Self = Self::raw(std::f64::consts::FRAC_1_PI, -1.9678676675182486e-17);
 
     #[inline(always)]
     pub(crate) const fn raw(hi: f64, lo: f64) -> Self {
-        Self {
-            hi,
-            lo,
-            arithmetic: PhantomData,
-        }
+        Self { hi, lo, arithmetic: PhantomData }
     }
     #[inline(always)]
     pub(crate) fn of(pair: Pair) -> Self {
@@ -57,10 +52,7 @@ impl<A: Arithmetic> Dd<A> {
     }
     #[inline(always)]
     pub(crate) fn pair(self) -> Pair {
-        Pair {
-            hi: self.hi,
-            lo: self.lo,
-        }
+        Pair { hi: self.hi, lo: self.lo }
     }
     /// a·b, exactly.
     #[inline(always)]
@@ -119,11 +111,7 @@ impl<A: Arithmetic> Dd<A> {
     #[inline(always)]
     pub(crate) fn sin_cos(angle: f64) -> (Self, Self) {
         // Three parts of π/2: a multiple of it is subtracted exactly enough even where the difference nearly vanishes.
-        const HALF_PI: [f64; 3] = [
-            1.5707963267948966,
-            6.123233995736766e-17,
-            -1.4973849048591698e-33,
-        ];
+        const HALF_PI: [f64; 3] = [std::f64::consts::FRAC_PI_2, 6.123233995736766e-17, -1.4973849048591698e-33];
         let turns = A::round(angle * std::f64::consts::FRAC_2_PI);
         let mut r = Self::from(angle);
         for part in HALF_PI {
@@ -159,10 +147,7 @@ const INVERSE_FACTORIAL: [Pair; 20] = {
         factorial *= n as f64;
         let hi = 1.0 / factorial;
         let (product, error) = two_prod_split(hi, factorial);
-        table[n] = Pair {
-            hi,
-            lo: ((1.0 - product) - error) / factorial,
-        };
+        table[n] = Pair { hi, lo: ((1.0 - product) - error) / factorial };
         n += 1;
     }
     table

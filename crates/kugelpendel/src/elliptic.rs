@@ -24,27 +24,12 @@ pub(crate) struct Ladder {
 impl Ladder {
     /// From a_0², b_0² and a_0² − b_0².
     pub(crate) fn new(larger: f64, smaller: f64, difference: f64) -> Self {
-        let mut rung = Rung {
-            a: larger.sqrt(),
-            b: smaller.sqrt(),
-            c: 0.0,
-        };
-        let mut ladder = Self {
-            rungs: [rung; STEPS + 1],
-            last: 0,
-        };
+        let mut rung = Rung { a: larger.sqrt(), b: smaller.sqrt(), c: 0.0 };
+        let mut ladder = Self { rungs: [rung; STEPS + 1], last: 0 };
         while ladder.last < STEPS {
             let a = 0.5 * (rung.a + rung.b);
-            let square = if ladder.last == 0 {
-                difference
-            } else {
-                rung.c * rung.c
-            };
-            rung = Rung {
-                a,
-                b: (rung.a * rung.b).sqrt(),
-                c: 0.25 * square / a,
-            };
+            let square = if ladder.last == 0 { difference } else { rung.c * rung.c };
+            rung = Rung { a, b: (rung.a * rung.b).sqrt(), c: 0.25 * square / a };
             ladder.last += 1;
             ladder.rungs[ladder.last] = rung;
             if rung.c <= 1e-9 * a {
@@ -75,8 +60,7 @@ impl Ladder {
             let Rung { a, b, .. } = self.rungs[n];
             let (sin, cos) = phi.sin_cos();
             // tan(2φ_n − φ_{n+1}) = (a_n − b_n) sin φ cos φ/(a_n cos² φ + b_n sin² φ), and a_n − b_n = 2c_{n+1}.
-            let delta =
-                (2.0 * self.rungs[n + 1].c * sin * cos).atan2(a * cos * cos + b * sin * sin);
+            let delta = (2.0 * self.rungs[n + 1].c * sin * cos).atan2(a * cos * cos + b * sin * sin);
             argument -= weight * delta;
             weight *= 0.5;
             phi = 2.0 * phi - delta;
@@ -93,14 +77,7 @@ impl Ladder {
         while n < self.last || (w > 1e-9 * rung.a && n < 3 * STEPS) {
             w *= 0.5 * ((rung.c * rung.c + w * w) / (rung.a * rung.a + w * w)).sqrt();
             n += 1;
-            rung = if n <= self.last {
-                self.rungs[n]
-            } else {
-                Rung {
-                    c: 0.25 * rung.c * rung.c / rung.a,
-                    ..rung
-                }
-            };
+            rung = if n <= self.last { self.rungs[n] } else { Rung { c: 0.25 * rung.c * rung.c / rung.a, ..rung } };
         }
         let sum = w + w.hypot(rung.c);
         let reduced = (1..n).fold(sum / (4.0 * rung.a), |v, _| v.sqrt());

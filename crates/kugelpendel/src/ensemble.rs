@@ -1,8 +1,8 @@
 //! Many motions side by side: one bad case stops nothing, and says why.
 
+use crate::block::BLOCK;
 use crate::exact::ExactMotion;
 use crate::invalid::Invalid;
-use crate::invariants::BLOCK;
 use crate::launch::Launch;
 use crate::pendulum::Pendulum;
 use crate::sampling::{Quantity, Times};
@@ -26,17 +26,10 @@ impl Ensemble {
         #[cfg(feature = "threads")]
         if blocks > 16 {
             use rayon::prelude::*;
-            let blocks = (0..blocks)
-                .into_par_iter()
-                .with_min_len(16)
-                .map(solve)
-                .collect();
+            let blocks = (0..blocks).into_par_iter().with_min_len(16).map(solve).collect();
             return Self { blocks, len };
         }
-        Self {
-            blocks: (0..blocks).map(solve).collect(),
-            len,
-        }
+        Self { blocks: (0..blocks).map(solve).collect(), len }
     }
 
     /// How many.

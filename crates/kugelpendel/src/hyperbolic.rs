@@ -48,10 +48,7 @@ impl Hyperbolic {
         };
         let (top, bottom) = (chart.factors(0.5 * chart.span), chart.factors(0.0));
         let ratio = |factor: Factor, delta: f64| factor.re.hypot(factor.im) / delta;
-        let (alpha, beta) = (
-            ratio(top.alpha, top.delta),
-            ratio(bottom.beta, bottom.delta),
-        );
+        let (alpha, beta) = (ratio(top.alpha, top.delta), ratio(bottom.beta, bottom.delta));
         chart.scales = scales(length, turning, alpha, beta);
         chart
     }
@@ -68,22 +65,12 @@ impl Hyperbolic {
 
     /// At h since the lowest point; the rates are with respect to h.
     pub(crate) fn at(&self, h: f64) -> Shape {
-        let Factors {
-            alpha,
-            beta,
-            delta,
-            delta_rate,
-            fading,
-        } = self.factors(h);
+        let Factors { alpha, beta, delta, delta_rate, fading } = self.factors(h);
         let [alpha_scale, beta_scale] = self.scales;
         // α and δ are scaled by 2e^{−|h|}: once too often in the plan view, not at all in the height.
         let (alpha, beta) = (alpha.scaled(alpha_scale), beta.scaled(beta_scale * fading));
         let shape = Shape::of::<Portable, true>(alpha, beta, delta, delta_rate);
-        Shape {
-            y: self.sense * shape.y,
-            y_rate: self.sense * shape.y_rate,
-            ..shape
-        }
+        Shape { y: self.sense * shape.y, y_rate: self.sense * shape.y_rate, ..shape }
     }
 
     /// θ1(ψ0 + ih) and θ2(ih), both divided by q'^{1/4}e^{|h|}, and θ3(ψ2 − ih).
@@ -91,23 +78,14 @@ impl Hyperbolic {
         let (q, size, sign) = (self.nome, h.abs(), 1.0_f64.copysign(h));
         let fading = (-size).exp();
         // q'e^{2|h|} ≤ 1 as one exponential; 0 on the separatrix, where q' = 0 and h is unbounded.
-        let growing = if q > 0.0 {
-            (2.0 * size - self.span).exp()
-        } else {
-            0.0
-        };
+        let growing = if q > 0.0 { (2.0 * size - self.span).exp() } else { 0.0 };
         let (mut alpha, mut delta, mut delta_rate) = (Factor::default(), 0.0, 0.0);
         for n in 0..3 {
             let order = (2 * n + 1) as f64;
             let large = q.powi(n * n) * growing.powi(n);
             let small = q.powi(n * n + n) * fading.powi(2 * n + 2);
             let cosh = large + small;
-            let sinh = sign
-                * if n == 0 {
-                    -(-2.0 * size).exp_m1()
-                } else {
-                    large - small
-                };
+            let sinh = sign * if n == 0 { -(-2.0 * size).exp_m1() } else { large - small };
             let (sin, cos) = (order * self.lower).sin_cos();
             let alternating = if n == 1 { -1.0 } else { 1.0 };
             alpha.re += alternating * sin * cosh;
@@ -117,10 +95,7 @@ impl Hyperbolic {
             delta += cosh;
             delta_rate += order * sinh;
         }
-        let mut beta = Factor {
-            re: 1.0,
-            ..Factor::default()
-        };
+        let mut beta = Factor { re: 1.0, ..Factor::default() };
         for n in 1..4 {
             let order = (2 * n) as f64;
             let large = q.powi(n * n - n) * growing.powi(n);
@@ -132,13 +107,7 @@ impl Hyperbolic {
             beta.re_rate += order * cos * sinh;
             beta.im_rate += order * sin * cosh;
         }
-        Factors {
-            alpha,
-            beta,
-            delta,
-            delta_rate,
-            fading,
-        }
+        Factors { alpha, beta, delta, delta_rate, fading }
     }
 }
 

@@ -17,7 +17,9 @@ impl std::error::Error for Invalid {}
 /// `Err(Invalid(format!(…)))` unless the condition holds.
 macro_rules! require {
     ($condition:expr, $($sentence:tt)+) => {
-        if !$condition {
+        // A NaN fails every condition, which is what is wanted.
+        let holds: bool = $condition;
+        if !holds {
             return Err($crate::invalid::Invalid(format!($($sentence)+)));
         }
     };

@@ -5,25 +5,54 @@ use crate::double_double::Dd;
 use crate::invalid::{Invalid, require};
 use crate::pendulum::Pendulum;
 
-/// The ways to say it; SI units and radians. `z` points down from the support.
+/// The ways to say it; `z` points down from the support, azimuths count counter-clockwise from x seen from above.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Launch {
-    /// Displaced by `a` towards `azimuth` and pushed sideways with b·ω0, counter-clockwise for b > 0 (Olsson's (16)).
-    Ellipse { a: f64, b: f64, azimuth: f64 },
-    /// Turning radii a ≥ |b| on the lower half, started at the outer one; the sign of b is the sense.
-    Apsides { a: f64, b: f64, azimuth: f64 },
+    /// Displaced by a towards the azimuth and pushed sideways with b·ω0: Olsson's (16).
+    Ellipse {
+        /// m, on the lower half.
+        a: f64,
+        /// m, positive counter-clockwise.
+        b: f64,
+        /// rad.
+        azimuth: f64,
+    },
+    /// Turning radii on the lower half; starts at the outer one.
+    Apsides {
+        /// m, the outer one.
+        a: f64,
+        /// m, |b| ≤ a; its sign is the sense, positive counter-clockwise.
+        b: f64,
+        /// rad, of the launch.
+        azimuth: f64,
+    },
     /// Plan view; the height follows, on the lower half.
-    Plane { x: f64, y: f64, vx: f64, vy: f64 },
-    /// θ from the downward vertical, φ counter-clockwise from x, and their rates.
+    Plane {
+        /// m.
+        x: f64,
+        /// m.
+        y: f64,
+        /// m/s.
+        vx: f64,
+        /// m/s.
+        vy: f64,
+    },
+    /// Spherical angles and their rates.
     Angles {
+        /// rad, from the downward vertical.
         theta: f64,
+        /// rad, azimuth.
         phi: f64,
+        /// rad/s.
         theta_rate: f64,
+        /// rad/s.
         phi_rate: f64,
     },
-    /// Position from the support and velocity; projected onto the sphere and its tangent plane within [`TOLERANCE`].
+    /// Projected onto the sphere and its tangent plane where it is off by no more than [`TOLERANCE`].
     State {
+        /// m, from the support.
         position: [f64; 3],
+        /// m/s.
         velocity: [f64; 3],
     },
 }
@@ -55,10 +84,7 @@ impl Launch {
     pub fn check(&self, pendulum: &Pendulum) -> Result<(), Invalid> {
         let length = pendulum.length;
         for (name, value, unit) in self.named_values() {
-            require!(
-                value.is_finite(),
-                "The launch's {name} must be a finite number, but it is {value} {unit}."
-            );
+            require!(value.is_finite(), "The launch's {name} must be a finite number, but it is {value} {unit}.");
         }
         match *self {
             Self::Ellipse { a, .. } => {
@@ -103,12 +129,7 @@ impl Launch {
                      Launch.plane(x, y, vx, vy) to let z follow."
                 );
                 let speed = norm(velocity);
-                let radial = position
-                    .iter()
-                    .zip(velocity)
-                    .map(|(r, v)| r * v)
-                    .sum::<f64>()
-                    / radius;
+                let radial = position.iter().zip(velocity).map(|(r, v)| r * v).sum::<f64>() / radius;
                 require!(
                     radial.abs() <= TOLERANCE * speed,
                     "The launch velocity would stretch the thread: its component along the thread is {radial} m/s of \
@@ -123,28 +144,13 @@ impl Launch {
     fn named_values(&self) -> [(&'static str, f64, &'static str); 6] {
         const NONE: (&str, f64, &str) = ("", 0.0, "");
         match *self {
-            Self::Ellipse { a, b, azimuth } | Self::Apsides { a, b, azimuth } => [
-                ("a", a, "m"),
-                ("b", b, "m"),
-                ("azimuth", azimuth, "rad"),
-                NONE,
-                NONE,
-                NONE,
-            ],
-            Self::Plane { x, y, vx, vy } => [
-                ("x", x, "m"),
-                ("y", y, "m"),
-                ("vx", vx, "m/s"),
-                ("vy", vy, "m/s"),
-                NONE,
-                NONE,
-            ],
-            Self::Angles {
-                theta,
-                phi,
-                theta_rate,
-                phi_rate,
-            } => [
+            Self::Ellipse { a, b, azimuth } | Self::Apsides { a, b, azimuth } => {
+                [("a", a, "m"), ("b", b, "m"), ("azimuth", azimuth, "rad"), NONE, NONE, NONE]
+            }
+            Self::Plane { x, y, vx, vy } => {
+                [("x", x, "m"), ("y", y, "m"), ("vx", vx, "m/s"), ("vy", vy, "m/s"), NONE, NONE]
+            }
+            Self::Angles { theta, phi, theta_rate, phi_rate } => [
                 ("theta", theta, "rad"),
                 ("phi", phi, "rad"),
                 ("theta_rate", theta_rate, "rad/s"),
@@ -152,17 +158,9 @@ impl Launch {
                 NONE,
                 NONE,
             ],
-            Self::State {
-                position: [x, y, z],
-                velocity: [vx, vy, vz],
-            } => [
-                ("x", x, "m"),
-                ("y", y, "m"),
-                ("z", z, "m"),
-                ("vx", vx, "m/s"),
-                ("vy", vy, "m/s"),
-                ("vz", vz, "m/s"),
-            ],
+            Self::State { position: [x, y, z], velocity: [vx, vy, vz] } => {
+                [("x", x, "m"), ("y", y, "m"), ("z", z, "m"), ("vx", vx, "m/s"), ("vy", vy, "m/s"), ("vz", vz, "m/s")]
+            }
         }
     }
 
@@ -198,28 +196,16 @@ impl Launch {
                     climb,
                     speed_squared: plan_speed_squared / speed_unit.square() + climb.square(),
                     // From the exact products: what lies in a vertical plane has angular momentum 0, not 1e-33.
-                    angular_momentum: (Dd::product(x, vy) - Dd::product(y, vx))
-                        / (length * speed_unit),
+                    angular_momentum: (Dd::product(x, vy) - Dd::product(y, vx)) / (length * speed_unit),
                     plan: [x / pendulum.length, y / pendulum.length],
                     plan_velocity: [vx / speed_unit.hi, vy / speed_unit.hi],
                 }
             }
-            Self::Angles {
-                theta,
-                phi,
-                theta_rate,
-                phi_rate,
-            } => {
+            Self::Angles { theta, phi, theta_rate, phi_rate } => {
                 let (half_sine, half_cosine) = Dd::<A>::sin_cos(0.5 * theta);
-                let (height, depth) = (
-                    half_sine.square().scale(2.0),
-                    half_cosine.square().scale(2.0),
-                );
+                let (height, depth) = (half_sine.square().scale(2.0), half_cosine.square().scale(2.0));
                 let sine = (half_sine * half_cosine).scale(2.0);
-                let (polar, azimuthal) = (
-                    Dd::from(theta_rate) / omega0,
-                    sine * (Dd::from(phi_rate) / omega0),
-                );
+                let (polar, azimuthal) = (Dd::from(theta_rate) / omega0, sine * (Dd::from(phi_rate) / omega0));
                 let (sin_phi, cos_phi) = phi.sin_cos();
                 let outward = (Dd::ONE - height).hi * polar.hi;
                 State {
@@ -235,24 +221,16 @@ impl Launch {
                     ],
                 }
             }
-            Self::State {
-                position: [x, y, z],
-                velocity: [vx, vy, vz],
-            } => {
+            Self::State { position: [x, y, z], velocity: [vx, vy, vz] } => {
                 let speed_unit = length * omega0;
                 let radius_squared = Dd::product(x, x) + Dd::product(y, y) + Dd::product(z, z);
                 let radius = radius_squared.sqrt();
                 let cosine = Dd::from(z) / radius;
                 let farther = Dd::ONE + cosine.abs();
                 let nearer = (Dd::product(x, x) + Dd::product(y, y)) / radius_squared / farther;
-                let (height, depth) = if z >= 0.0 {
-                    (nearer, farther)
-                } else {
-                    (farther, nearer)
-                };
+                let (height, depth) = if z >= 0.0 { (nearer, farther) } else { (farther, nearer) };
                 let speed_squared = Dd::product(vx, vx) + Dd::product(vy, vy) + Dd::product(vz, vz);
-                let radial =
-                    (Dd::product(x, vx) + Dd::product(y, vy) + Dd::product(z, vz)) / radius;
+                let radial = (Dd::product(x, vx) + Dd::product(y, vy) + Dd::product(z, vz)) / radius;
                 // The radial part, which is rounding, is taken away; from x·vy − y·vx it drops out by itself.
                 let share = (radial / radius).hi;
                 State {
@@ -260,13 +238,9 @@ impl Launch {
                     depth,
                     climb: (radial * cosine - Dd::from(vz)) / speed_unit,
                     speed_squared: (speed_squared - radial.square()) / speed_unit.square(),
-                    angular_momentum: (Dd::product(x, vy) - Dd::product(y, vx))
-                        / (radius * speed_unit),
+                    angular_momentum: (Dd::product(x, vy) - Dd::product(y, vx)) / (radius * speed_unit),
                     plan: [x / radius.hi, y / radius.hi],
-                    plan_velocity: [
-                        (vx - share * x) / speed_unit.hi,
-                        (vy - share * y) / speed_unit.hi,
-                    ],
+                    plan_velocity: [(vx - share * x) / speed_unit.hi, (vy - share * y) / speed_unit.hi],
                 }
             }
         }
@@ -285,17 +259,9 @@ impl<A: Arithmetic> State<A> {
     };
 
     /// All but the plan view.
-
     #[inline(always)]
     pub(crate) fn numbers(&self) -> [f64; STATE_NUMBERS] {
-        let Self {
-            height: s,
-            depth: d,
-            climb: c,
-            speed_squared: v,
-            angular_momentum: l,
-            ..
-        } = self;
+        let Self { height: s, depth: d, climb: c, speed_squared: v, angular_momentum: l, .. } = self;
         [s.hi, s.lo, d.hi, d.lo, c.hi, c.lo, v.hi, v.lo, l.hi, l.lo]
     }
 

@@ -12,6 +12,10 @@
 //! angular momentum positive counter-clockwise seen from above.
 
 mod arithmetic;
+mod block;
+mod chart;
+mod clock;
+mod cubic;
 mod double_double;
 mod elliptic;
 mod ensemble;
@@ -22,10 +26,16 @@ mod invariants;
 mod launch;
 mod pendulum;
 mod sampling;
+mod series;
 mod shape;
 mod spectrum;
+mod tension;
 mod trigonometric;
 mod turns;
+mod zeta;
+
+#[cfg(test)]
+mod tests;
 
 pub use arithmetic::fused;
 pub use ensemble::Ensemble;

@@ -4,6 +4,7 @@ use crate::arithmetic::Arithmetic;
 use crate::double_double::Dd;
 use crate::invalid::{Invalid, require};
 
+/// Its length, where it hangs, and what hangs on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pendulum {
     /// m, from the support to the bob's centre.

@@ -25,18 +25,8 @@ pub(crate) struct Factor {
 
 impl Factor {
     pub(crate) fn scaled(self, scale: f64) -> Self {
-        let Self {
-            re,
-            im,
-            re_rate,
-            im_rate,
-        } = self;
-        Self {
-            re: scale * re,
-            im: scale * im,
-            re_rate: scale * re_rate,
-            im_rate: scale * im_rate,
-        }
+        let Self { re, im, re_rate, im_rate } = self;
+        Self { re: scale * re, im: scale * im, re_rate: scale * re_rate, im_rate: scale * im_rate }
     }
 }
 
@@ -53,12 +43,8 @@ impl Shape {
         let inverse_square = inverse * inverse;
         let [re, im] = product::<A>([alpha.re, alpha.im], [beta.re, beta.im]);
         let square = A::mul_add(alpha.re, alpha.re, alpha.im * alpha.im);
-        let mut shape = Self {
-            x: inverse_square * re,
-            y: inverse_square * im,
-            height: inverse_square * square,
-            ..Self::default()
-        };
+        let mut shape =
+            Self { x: inverse_square * re, y: inverse_square * im, height: inverse_square * square, ..Self::default() };
         if RATES {
             let log_rate = -2.0 * delta_rate * inverse;
             let first = product::<A>([alpha.re_rate, alpha.im_rate], [beta.re, beta.im]);
@@ -75,10 +61,7 @@ impl Shape {
 /// What α and β have to be multiplied by, given |α|/δ at the highest point, where |α|² ∝ s is largest, and |β|/δ at the
 /// lowest, where |β|² ∝ 2 − s is; lengths in m.
 pub(crate) fn scales(length: f64, turning: &Turning, alpha: f64, beta: f64) -> [f64; 2] {
-    [
-        (length * turning.high).sqrt() / alpha,
-        (length * turning.low_depth).sqrt() / beta,
-    ]
+    [(length * turning.high).sqrt() / alpha, (length * turning.low_depth).sqrt() / beta]
 }
 
 /// Of two complex numbers.

@@ -12,7 +12,9 @@
 //!
 //! Olsson's ansatz (20) is k = 0 and k = −1.
 
-use crate::exact::{Chart, Clock, ExactMotion};
+use crate::chart::Chart;
+use crate::clock::Clock;
+use crate::exact::ExactMotion;
 use crate::invalid::{Invalid, require};
 use std::f64::consts::{PI, TAU};
 
@@ -52,53 +54,31 @@ impl ExactMotion {
     pub fn spectrum(&self, pairs: usize) -> Result<Spectrum, Invalid> {
         let poles = self.poles()?;
         let length = self.pendulum.length;
-        let (sense, omega0) = (self.invariants.sense, self.omega0());
+        let (sense, omega0) = (self.invariants.sense, self.omega0.hi);
         let (omega, precession) = (self.invariants.frequency.hi, self.invariants.precession.hi);
-        let (still, revolves) = (self.is_still(), self.invariants.revolves());
+        let (still, revolves) = (self.launch.still, self.invariants.revolves());
         let pairs = pairs as i32;
         let plan = (-pairs..pairs).map(|k| {
             let frequency = precession + f64::from(2 * k + 1) * omega;
-            let argument = if k == 0 {
-                poles.offset
-            } else {
-                f64::from(k) * poles.span + poles.offset
-            };
-            let size = if still {
-                0.0
-            } else {
-                2.0 * length * omega * frequency / argument.cosh()
-            };
+            let argument = if k == 0 { poles.offset } else { f64::from(k) * poles.span + poles.offset };
+            let size = if still { 0.0 } else { 2.0 * length * omega * frequency / argument.cosh() };
             let (sin, cos) = (f64::from(2 * k + 1) * poles.phase).sin_cos();
             let (azimuth_sin, azimuth_cos) = poles.azimuth.sin_cos();
             let (re, im) = (size * cos, sense * size * sin);
             Harmonic {
                 order: sense as i32 * if revolves { k + 1 } else { 2 * k + 1 },
                 frequency: sense * frequency * omega0,
-                amplitude: [
-                    re * azimuth_cos - im * azimuth_sin,
-                    re * azimuth_sin + im * azimuth_cos,
-                ],
+                amplitude: [re * azimuth_cos - im * azimuth_sin, re * azimuth_sin + im * azimuth_cos],
             }
         });
         let mut plan: Vec<_> = plan.collect();
         plan.sort_by_key(|harmonic| harmonic.order);
 
-        let weight = |n: i32| {
-            8.0 * length * omega * omega * f64::from(n) / (f64::from(n) * poles.span).sinh()
-        };
-        let lowest = length
-            * if still {
-                self.launch_height()
-            } else {
-                self.invariants.turning.low
-            };
+        let weight = |n: i32| 8.0 * length * omega * omega * f64::from(n) / (f64::from(n) * poles.span).sinh();
+        let lowest = length * self.invariants.turning.low;
         let first = weight(1);
         let mean: f64 = (1..).map(weight).take_while(|w| *w > 1e-17 * first).sum();
-        let mut vertical = vec![Harmonic {
-            order: 0,
-            frequency: 0.0,
-            amplitude: [length - lowest - mean, 0.0],
-        }];
+        let mut vertical = vec![Harmonic { order: 0, frequency: 0.0, amplitude: [length - lowest - mean, 0.0] }];
         vertical.extend((1..=pairs).map(|n| {
             let (sin, cos) = (f64::from(2 * n) * poles.phase).sin_cos();
             Harmonic {
@@ -113,33 +93,16 @@ impl ExactMotion {
     fn poles(&self) -> Result<Poles, Invalid> {
         let clock = self.clock();
         let (chart, turn) = self.chart(&clock);
-        let phase = if let Clock::Periodic { start, .. } = clock {
-            PI * start.hi
-        } else {
-            0.0
-        };
+        let phase = if let Clock::Periodic { start, .. } = clock { PI * start.hi } else { 0.0 };
         Ok(match chart {
             Chart::Trigonometric(chart) => {
                 let [nome, lower_reduced, upper] = chart.poles;
                 let span = -nome.ln();
                 // L/2 − η0 = −½ ln(q e^{2η0}), finite on cones
                 let from_lower = -0.5 * lower_reduced.ln();
-                let upper = if chart.from_above {
-                    0.5 * span - upper
-                } else {
-                    upper
-                };
-                let ahead = if chart.from_above {
-                    self.invariants.sense * phase
-                } else {
-                    0.0
-                };
-                Poles {
-                    span,
-                    offset: from_lower + upper,
-                    phase,
-                    azimuth: TAU * turn + ahead,
-                }
+                let upper = if chart.from_above { 0.5 * span - upper } else { upper };
+                let ahead = if chart.from_above { self.invariants.sense * phase } else { 0.0 };
+                Poles { span, offset: from_lower + upper, phase, azimuth: TAU * turn + ahead }
             }
             Chart::Hyperbolic(chart) => {
                 require!(
@@ -150,19 +113,9 @@ impl ExactMotion {
                 );
                 let span = PI * PI / chart.span;
                 let offset = 0.5 * span - chart.argument_difference() * span / PI;
-                Poles {
-                    span,
-                    offset,
-                    phase,
-                    azimuth: TAU * turn,
-                }
+                Poles { span, offset, phase, azimuth: TAU * turn }
             }
-            Chart::Still(_) => Poles {
-                span: f64::INFINITY,
-                offset: f64::INFINITY,
-                phase,
-                azimuth: 0.0,
-            },
+            Chart::Still(_) => Poles { span: f64::INFINITY, offset: f64::INFINITY, phase, azimuth: 0.0 },
         })
     }
 }

@@ -74,32 +74,16 @@ impl Trigonometric {
 
     /// The point at ζ, given cos ζ and sin ζ.
     #[inline(always)]
-    pub(crate) fn at<
-        A: Arithmetic,
-        const DEGREE: usize,
-        const FROM_ABOVE: bool,
-        const RATES: bool,
-    >(
+    pub(crate) fn at<A: Arithmetic, const DEGREE: usize, const FROM_ABOVE: bool, const RATES: bool>(
         &self,
         cos: f64,
         sin: f64,
     ) -> Shape {
         let square = sin * sin;
         let alpha = self.alpha.at::<A, DEGREE, RATES>(square, [cos, sin]);
-        let beta = self.beta.at::<A, DEGREE, RATES>(
-            square,
-            if FROM_ABOVE {
-                [cos, sin]
-            } else {
-                [1.0, sin * cos]
-            },
-        );
+        let beta = self.beta.at::<A, DEGREE, RATES>(square, if FROM_ABOVE { [cos, sin] } else { [1.0, sin * cos] });
         let delta = horner::<A, DEGREE>(&self.delta.re, square);
-        let delta_rate = if RATES {
-            sin * cos * horner::<A, DEGREE>(&self.delta.re_rate, square)
-        } else {
-            0.0
-        };
+        let delta_rate = if RATES { sin * cos * horner::<A, DEGREE>(&self.delta.re_rate, square) } else { 0.0 };
         Shape::of::<A, RATES>(alpha, beta, delta, delta_rate)
     }
 }
@@ -115,11 +99,7 @@ struct Series {
 
 impl Series {
     #[inline(always)]
-    fn at<A: Arithmetic, const DEGREE: usize, const RATES: bool>(
-        &self,
-        square: f64,
-        [c, s]: [f64; 2],
-    ) -> Factor {
+    fn at<A: Arithmetic, const DEGREE: usize, const RATES: bool>(&self, square: f64, [c, s]: [f64; 2]) -> Factor {
         let mut factor = Factor {
             re: c * horner::<A, DEGREE>(&self.re, square),
             im: s * horner::<A, DEGREE>(&self.im, square),
@@ -154,11 +134,7 @@ impl Series {
             fading[n] = weight * difference;
             weight *= sign * nome.powi(2 * n as i32 + 1) * reduced;
         }
-        let (re, im) = if sign < 0.0 {
-            (fading, growing)
-        } else {
-            (growing, fading)
-        };
+        let (re, im) = if sign < 0.0 { (fading, growing) } else { (growing, fading) };
         let orders = |n: usize| (2 * n + 1) as f64;
         let (cos_basis, sin_basis) = ([[1.0, 0.0], [1.0, -4.0]], [[1.0, 0.0], [3.0, -4.0]]);
         Self {
@@ -203,13 +179,7 @@ fn expand(weights: Polynomial, [first, second]: [[f64; 2]; 2]) -> Polynomial {
             basis[n + 1][k] = 2.0 * basis[n][k] - raised - basis[n - 1][k];
         }
     }
-    std::array::from_fn(|k| {
-        weights
-            .iter()
-            .zip(&basis)
-            .map(|(weight, p)| weight * p[k])
-            .sum()
-    })
+    std::array::from_fn(|k| weights.iter().zip(&basis).map(|(weight, p)| weight * p[k]).sum())
 }
 
 #[inline(always)]

@@ -42,10 +42,7 @@ pub(crate) fn cos_sin<A: Arithmetic>(whole: f64, rest: f64) -> [f64; 2] {
     let (cos, sin) = if odd { (s, c) } else { (c, s) };
     let cos_sign = ((bits ^ (bits >> 1)) & 1) << 63;
     let sin_sign = ((bits >> 1) & 1) << 63;
-    [
-        f64::from_bits(cos.to_bits() ^ cos_sign),
-        f64::from_bits(sin.to_bits() ^ sin_sign),
-    ]
+    [f64::from_bits(cos.to_bits() ^ cos_sign), f64::from_bits(sin.to_bits() ^ sin_sign)]
 }
 
 /// The fraction of rate·time that is left without whole turns, as (large, small) parts: |fraction| ≤ ½ (+ small).

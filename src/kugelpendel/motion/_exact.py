@@ -40,11 +40,11 @@ class ExactMotion:
 
     Notes
     -----
-    Error of a position, as a fraction of the length: at most 2 (spread + 4e-16), where spread is how
-    far the position moves when the inputs change by half a unit in the last place; relative error
-    of frequency and precession: 4e-16, down to ellipses of 1e-9 l (tests/reference). The inputs
-    are taken as exact binary numbers and the phase is reduced in twice the working precision, so
-    the error does not grow with the time beyond what spread does.
+    Error of a position, as a fraction of the length: at most 3 (spread + 4e-16), where spread is
+    how far the position moves when the inputs change by half a unit in the last place; relative
+    error of frequency and precession: 4e-16, down to ellipses of 1e-9 l (tests/reference). The
+    inputs are taken as exact binary numbers and the phase is reduced in twice the working
+    precision, so the error does not grow with the time beyond what spread does.
     Source: Whittaker, Analytical Dynamics, §55; this project's form of it is in
     crates/kugelpendel/src.
     The motion is that of a rod: where `goes_slack` is true, a thread would leave the sphere.
@@ -69,6 +69,9 @@ class ExactMotion:
         if self._shape == ():
             for _, sentence in self._motions.problems():
                 raise InvalidInput(sentence)
+
+    def __reduce__(self) -> tuple[type[ExactMotion], tuple[Pendulum, Launch]]:
+        return (ExactMotion, (self._pendulum, self._launch))
 
     @property
     def pendulum(self) -> Pendulum:
@@ -188,7 +191,7 @@ class ExactMotion:
 
     @cached_property
     def turning_heights(self) -> Numbers:
-        """Height of the highest and lowest turning point above the sphere's bottom, m: (*shape, 2)."""
+        """Height above the lowest point at the highest and lowest turning point, m: (*shape, 2)."""
         return self._shaped(self._motions.turning_heights(), 2)
 
     @cached_property
@@ -215,23 +218,21 @@ class ExactMotion:
         if not n >= 1:
             raise InvalidInput(f"A spectrum needs n ≥ 1 pairs of harmonics, but n is {n}.")
         check_memory(self._count, 9 * n)
-        rows: list[tuple[NDArray[np.generic], ...]] = []
-        for index in range(self._count):
-            try:
-                rows.append(sum(self._motions.spectrum(index, int(n)), ()))
-            except ValueError as error:
-                if self._shape == ():
-                    raise InvalidInput(str(error)) from None
-                rows.append(())
-        good = next((row for row in rows if row), None)
-        if good is None:
-            raise InvalidInput("No motion of this ensemble has a spectrum; see its reason.")
-        bad = tuple(np.full(part.shape, np.nan, part.dtype) if k % 3 else part
-                    for k, part in enumerate(good))
-        parts = [np.array([row[k] for row in (r or bad for r in rows)]) for k in range(6)]
-        shaped = [good[k] if k % 3 == 0 else part.reshape(*self._shape, -1)
-                  for k, part in enumerate(parts)]
-        return Spectrum(*shaped)
+        (order, frequency, amplitude), (order_z, frequency_z, amplitude_z), problems = (
+            self._motions.spectrum(int(n))
+        )
+        if self._shape == ():
+            for _, sentence in problems:
+                raise InvalidInput(sentence)
+        plan, vertical = (*self._shape, 2 * n), (*self._shape, n + 1)
+        return Spectrum(
+            order.reshape(plan),
+            frequency.reshape(plan),
+            amplitude.reshape(plan),
+            order_z.reshape(vertical),
+            frequency_z.reshape(vertical),
+            amplitude_z.reshape(vertical),
+        )
 
     def to_xarray(self, t: ArrayLike) -> Dataset:
         """Position, velocity and tension at the times t, labelled, with units in the attributes.

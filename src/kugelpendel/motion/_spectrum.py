@@ -22,15 +22,16 @@ class Spectrum:
     Attributes
     ----------
     order
-        −(2n − 1), …, −1, 1, …, 2n − 1: shape (2n,). For motion in a plane over the top, where
-        `frequency` counts revolutions, all whole numbers −n + 1, …, n.
+        −(2n − 1), …, −1, 1, …, 2n − 1; for motion in a plane over the top, where the motion's
+        frequency counts revolutions, all whole numbers −n + 1, …, n. Shape (*motion.shape, 2n).
     frequency
         Ω + order·ω, rad/s, signed: shape (*motion.shape, 2n).
     amplitude
-        m, complex, phase at t = 0: shape (*motion.shape, 2n). NaN for the bad cases of an ensemble
-        and on the separatrix, which has no spectrum.
+        m, complex, phase at t = 0: shape (*motion.shape, 2n).
     vertical_order, vertical_frequency, vertical_amplitude
-        The same for z: 0, 2, …, 2n, shape (n + 1,); rad/s and m, shapes (*motion.shape, n + 1).
+        The same for z: orders 0, 2, …, 2n, shapes (*motion.shape, n + 1).
+
+    In an ensemble, what has no spectrum (a bad case, the separatrix) has NaN, and order 0.
 
     Notes
     -----
@@ -53,8 +54,6 @@ class Spectrum:
         axis = self.amplitude.ndim - 1
         plan = np.sum(weights * np.exp(1j * phases), axis=axis)
         phases = np.multiply.outer(self.vertical_frequency, times)
-        weights = self.vertical_amplitude.reshape(
-            self.vertical_amplitude.shape + (1,) * times.ndim
-        )
+        weights = self.vertical_amplitude.reshape(self.vertical_amplitude.shape + (1,) * times.ndim)
         height = np.sum((weights * np.exp(1j * phases)).real, axis=axis)
         return np.stack([plan.real, plan.imag, height], axis=-1)

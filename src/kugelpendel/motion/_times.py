@@ -10,14 +10,12 @@ from math import isfinite
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..parameters import InvalidInput, Numbers, as_numbers
+from ..parameters import InvalidInput, Numbers, as_array
 
 
 def checked_times(t: ArrayLike, numbers_each: int) -> Numbers:
     """The times as an array; `numbers_each` is how many results one time will make."""
-    times = np.asarray(t) if isinstance(t, np.ndarray) and t.dtype == np.float64 else None
-    if times is None:
-        times = np.asarray(as_numbers(t, "The times", "s"))
+    times = as_array(t, "The times", "s")
     if not np.isfinite(times).all():
         wrong = times[~np.isfinite(times)]
         raise InvalidInput(

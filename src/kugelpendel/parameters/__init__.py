@@ -4,5 +4,6 @@ from ._invalid import InvalidInput as InvalidInput
 from ._launch import Launch as Launch
 from ._numbers import Numbers as Numbers
 from ._numbers import Scalars as Scalars
+from ._numbers import as_array as as_array
 from ._numbers import as_numbers as as_numbers
 from ._pendulum import Pendulum as Pendulum

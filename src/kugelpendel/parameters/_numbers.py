@@ -14,25 +14,31 @@ Scalars: TypeAlias = float | Numbers
 """A float where one number was given, a read-only array where several were."""
 
 
-def as_numbers(value: ArrayLike, name: str, unit: str) -> Scalars:
-    """A float, or a read-only float64 array that is a copy of its own.
+def as_array(value: ArrayLike, name: str, unit: str) -> Numbers:
+    """A float64 array, the one given where it is one.
 
     Raises InvalidInput for what is not made of real numbers.
     """
-    if type(value) is float:
-        return value
     try:
-        array = np.array(value)
+        array: NDArray[np.generic] = np.asarray(value)
         if array.dtype.kind not in "iuf":
             raise TypeError
-        array = array.astype(np.float64)
     except (TypeError, ValueError):
         raise InvalidInput(
             f"{name} must be a number or an array of numbers in {unit}, but it is {value!r}; "
             f"leave units out here: they are read from files and on the command line only."
         ) from None
+    return array.astype(np.float64, copy=False)
+
+
+def as_numbers(value: ArrayLike, name: str, unit: str) -> Scalars:
+    """A float, or a read-only float64 array that is a copy of its own; raises as `as_array`."""
+    if type(value) is float:
+        return value
+    array = as_array(value, name, unit)
     if array.ndim == 0:
         return float(array)
+    array = array.copy()
     array.flags.writeable = False
     return array
 
@@ -52,4 +58,4 @@ def equal(ours: tuple[Scalars, ...], theirs: tuple[Scalars, ...]) -> bool:
 
 def hashed(values: tuple[Scalars, ...]) -> int:
     """A hash that goes with `equal`."""
-    return hash(tuple(v if isinstance(v, float) else (v.shape, v.tobytes()) for v in values))
+    return hash(tuple((np.shape(value), np.asarray(value).tobytes()) for value in values))
