@@ -114,8 +114,8 @@ class Ellipse:
         if not max(abs(x - a * angle.cos()), abs(y - a * angle.sin())) < arb("1e-40"):
             raise ArithmeticError(f"Taylor series and Carlson's integrals differ at T_s: {x}, {y}")
 
-    def position(self, time: float) -> tuple[arb, arb, arb]:
-        """Metres, z down, at a binary64 time in seconds."""
+    def position(self, time: float | arb) -> tuple[arb, arb, arb]:
+        """Metres, z down, at a time in seconds, taken exactly."""
         phase = arb(time) * self.rate
         turns = int(float((phase / self.apsides.period).mid()))
         rest = phase - turns * self.apsides.period

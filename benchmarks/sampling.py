@@ -6,6 +6,7 @@ import cartesian
 import numpy as np
 import reference
 from cartesian import GRAVITY, LENGTH, A, B
+from flint import arb
 from report import Ratio, Section
 from timing import paired
 
@@ -65,7 +66,7 @@ def errors(motion: kp.ExactMotion, step: float, dense: np.ndarray, truth: refere
     found = []
     for path, end in ((ours, PART), (dense[:, :3], PART), (ours, COUNT)):
         rows = range(end - 100, end)
-        exact = [[float(q.mid()) for q in truth.position(step * row)] for row in rows]
+        exact = [[float(q.mid()) for q in truth.position(arb(step) * row)] for row in rows]
         found.append(np.linalg.norm(path[rows] - exact, axis=1).max() / LENGTH)
     return (
         f"position error / l after {step * PART:g} s: ours {found[0]:.1e}, heyoka {found[1]:.1e}; "

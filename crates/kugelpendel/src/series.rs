@@ -27,12 +27,18 @@ fn rotations_with<A: Arithmetic>(_: A, step: f64, swings: Pair, frame: Pair) -> 
     let mut table = Box::new(Rotations { swing: [[0.0; BLOCK]; 2], frame: [[0.0; BLOCK]; 2] });
     for k in 0..BLOCK {
         let time = Dd::<A>::product(step, k as f64).pair();
-        let (whole, rest) = turns::fraction::<A>(swings, time);
-        [table.swing[0][k], table.swing[1][k]] = turns::cos_sin::<A>(0.5 * whole, 0.5 * rest);
+        let (whole, rest) = turns::fraction::<A>(half(swings), time);
+        [table.swing[0][k], table.swing[1][k]] = turns::cos_sin::<A>(whole, rest);
         let (whole, rest) = turns::fraction::<A>(frame, time);
         [table.frame[0][k], table.frame[1][k]] = turns::cos_sin::<A>(whole, rest);
     }
     table
+}
+
+/// A swing is half a turn of ζ; halved before whole turns are taken off, since afterwards an odd one would be lost.
+#[inline(always)]
+fn half(rate: Pair) -> Pair {
+    Pair { hi: 0.5 * rate.hi, lo: 0.5 * rate.lo }
 }
 
 /// Cosine and sine of the swing and of the frame at the k-th time of a block.
@@ -99,8 +105,7 @@ pub(crate) fn series<A: Arithmetic>(
         return;
     };
     let scale = Scale { length: plan.length, swing: PI * swings.hi, frame: TAU * frame.hi };
-    let swing = Pair { hi: 0.5 * swings.hi, lo: 0.5 * swings.lo };
-    let hands = Hands { swing, frame, start: [0.5 * start.hi, plan.turn] };
+    let hands = Hands { swing: half(swings), frame, start: [0.5 * start.hi, plan.turn] };
     for (block, out) in out.chunks_mut(3 * BLOCK).enumerate() {
         let (first, count) = (block * BLOCK, out.len() / 3);
         match (times, &plan.rotations) {

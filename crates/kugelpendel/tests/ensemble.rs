@@ -61,3 +61,25 @@ fn the_number_of_threads_changes_nothing() {
     assert!(one.0 == three.0);
     assert!(one.1.iter().zip(&three.1).all(|(a, b)| a.to_bits() == b.to_bits()));
 }
+
+#[test]
+fn a_grid_is_its_times() {
+    // 2⁻⁷ s: every start + step·k is a binary number, so both ways mean the same times. Long blocks and short swings:
+    // within a block the motion goes through many of them.
+    for index in [0, 1, 2, 3] {
+        let (pendulum, launch) = case(index);
+        let motion = ExactMotion::new(pendulum, launch).expect("a good case");
+        for step in [0.007_812_5, 0.5, -64.0] {
+            let times: Vec<f64> = (0..2000).map(|k| 3.0 + step * f64::from(k)).collect();
+            for quantity in [Quantity::Position, Quantity::Velocity] {
+                let (mut grid, mut scattered) = (vec![0.0; 6000], vec![0.0; 6000]);
+                motion.fill(quantity, Times::Grid { start: 3.0, step, first: 0 }, &mut grid);
+                motion.fill(quantity, Times::Scattered(&times), &mut scattered);
+                let size = 2.0 * pendulum.length * (1.0 + motion.energy().sqrt());
+                for (a, b) in grid.iter().zip(&scattered) {
+                    assert!((a - b).abs() <= 1e-15 * size, "{quantity:?}, case {index}, step {step}: {a} and {b}");
+                }
+            }
+        }
+    }
+}
