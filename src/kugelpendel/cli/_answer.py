@@ -75,8 +75,7 @@ def find(motion: kp.ExactMotion) -> Answer:
     known = Constants.of(motion)
     gravity = float(motion.pendulum.gravity)
     regime = _regime(known, moves=bool(motion.velocity(0.0).any()))
-    still = regime in ("rest", "balance")
-    tension = motion.tension([0.0, 0.0]) if still else motion.tension_range
+    tension = motion.tension_range
     turning, whole = turning_rate(motion)
     sense = (known.angular_momentum > 0) - (known.angular_momentum < 0)
     a, b = known.outer, sense * known.inner
