@@ -5,7 +5,7 @@ use crate::exact::ExactMotion;
 use crate::invalid::Invalid;
 use crate::launch::Launch;
 use crate::pendulum::Pendulum;
-use crate::sampling::{Quantity, Times};
+use crate::times::{Quantity, Times};
 
 /// Motions in a row, each good or with the reason why not.
 #[derive(Clone, Debug)]

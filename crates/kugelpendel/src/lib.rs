@@ -11,6 +11,10 @@
 //! Conventions: SI; the support at the origin, `z` down, so that the bob rests at (0, 0, l); azimuths, precession and
 //! angular momentum positive counter-clockwise seen from above.
 
+// Reading order. What is given: pendulum, launch (→ state). What follows from it: invariants (cubic, zeta; block for
+// many), exact (their names in SI), tension. How it moves: clock (phase), chart (trigonometric or hyperbolic, of
+// elliptic's arguments, both made of shape), spectrum. Many times and many motions: times, rotations, plan, series,
+// sampling, ensemble. Underneath: arithmetic, double_double, turns, invalid.
 mod arithmetic;
 mod block;
 mod chart;
@@ -25,11 +29,14 @@ mod invalid;
 mod invariants;
 mod launch;
 mod pendulum;
+mod plan;
+mod rotations;
 mod sampling;
 mod series;
 mod shape;
 mod spectrum;
 mod tension;
+mod times;
 mod trigonometric;
 mod turns;
 mod zeta;
@@ -43,5 +50,6 @@ pub use exact::ExactMotion;
 pub use invalid::Invalid;
 pub use launch::{Launch, TOLERANCE};
 pub use pendulum::Pendulum;
-pub use sampling::{Quantity, Times};
+
 pub use spectrum::{Harmonic, Spectrum};
+pub use times::{Quantity, Times};

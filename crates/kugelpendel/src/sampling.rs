@@ -8,61 +8,18 @@
 use crate::arithmetic::{Arithmetic, dispatch};
 use crate::chart::Chart;
 use crate::clock::Clock;
-use crate::double_double::{Dd, Pair, two_sum};
+use crate::double_double::{Pair, two_sum};
 use crate::exact::ExactMotion;
-use crate::series::{Rotations, Scale, rotations, seen_from_outside, series};
+use crate::plan::Plan;
+use crate::series::{Scale, seen_from_outside, series};
 use crate::shape::Shape;
+use crate::times::{Quantity, Times};
 use crate::turns;
 use std::f64::consts::TAU;
 
 /// Times that one thread takes at once; smaller requests stay on the caller's thread.
 #[cfg(feature = "threads")]
-const TASK: usize = 64 * crate::series::BLOCK;
-
-/// What is written, three numbers to a time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// x, y, z in m.
-    Position,
-    /// Their rates in m/s.
-    Velocity,
-}
-
-/// When.
-#[derive(Clone, Copy, Debug)]
-pub enum Times<'a> {
-    /// Any times, s.
-    Scattered(&'a [f64]),
-    /// start + step·k for k = first, first + 1, …: the sum is taken exactly, not rounded to a binary64 time.
-    Grid {
-        /// s.
-        start: f64,
-        /// s.
-        step: f64,
-        /// Index of the first time wanted.
-        first: usize,
-    },
-}
-
-impl Times<'_> {
-    #[inline(always)]
-    pub(crate) fn at<A: Arithmetic>(&self, index: usize) -> Pair {
-        match *self {
-            Times::Scattered(times) => Pair { hi: times[index], lo: 0.0 },
-            Times::Grid { start, step, first } => {
-                (Dd::<A>::product(step, (first + index) as f64) + Dd::from(start)).pair()
-            }
-        }
-    }
-
-    #[cfg(feature = "threads")]
-    fn from(&self, index: usize) -> Self {
-        match *self {
-            Times::Scattered(times) => Times::Scattered(&times[index..]),
-            Times::Grid { start, step, first } => Times::Grid { start, step, first: first + index },
-        }
-    }
-}
+const TASK: usize = 64 * crate::rotations::BLOCK;
 
 impl ExactMotion {
     /// Fills `out`, three numbers to a time.
@@ -85,30 +42,6 @@ impl ExactMotion {
             }
         }
         fill_part(&plan, quantity, times, out);
-    }
-}
-
-/// Everything that is the same for every time.
-pub(crate) struct Plan {
-    pub(crate) chart: Chart,
-    pub(crate) clock: Clock,
-    pub(crate) length: f64,
-    /// Turns of the frame at t = 0.
-    pub(crate) turn: f64,
-    pub(crate) rotations: Option<Box<Rotations>>,
-}
-
-impl Plan {
-    pub(crate) fn new(motion: &ExactMotion, times: &Times<'_>) -> Self {
-        let clock = motion.clock();
-        let (chart, turn) = motion.chart(&clock);
-        let rotations = match (times, clock, &chart) {
-            (Times::Grid { step, .. }, Clock::Periodic { swings, frame, .. }, Chart::Trigonometric(_)) => {
-                Some(rotations(*step, swings, frame))
-            }
-            _ => None,
-        };
-        Self { chart, clock, length: motion.pendulum.length, turn, rotations }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::clock::Clock;
 use crate::exact::ExactMotion;
-use crate::sampling::{Quantity, Times};
+use crate::times::{Quantity, Times};
 
 /// Times taken together.
 const BLOCK: usize = 256;

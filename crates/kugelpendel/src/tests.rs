@@ -6,7 +6,9 @@ use crate::exact::{ExactMotion, solve_with};
 use crate::invariants::Invariants;
 use crate::launch::Launch;
 use crate::pendulum::Pendulum;
-use crate::sampling::{Plan, Quantity, Times, fill_part_with};
+use crate::plan::Plan;
+use crate::sampling::fill_part_with;
+use crate::times::{Quantity, Times};
 use std::f64::consts::PI;
 
 const PENDULUM: Pendulum = Pendulum { length: 1.3, gravity: 9.81, mass: 2.0 };
