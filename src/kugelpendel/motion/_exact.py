@@ -276,7 +276,7 @@ class ExactMotion:
         return checked_times(t, numbers_each * self._count)
 
     def _shaped(self, flat: Numbers, *tail: int) -> Numbers:
-        return flat.reshape(*self._shape, *tail)
+        return flat.reshape((*self._shape, *tail))
 
     def _scalars(self, flat: Numbers) -> Scalars:
         return float(flat[0]) if self._shape == () else flat.reshape(self._shape)
