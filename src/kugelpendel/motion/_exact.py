@@ -213,13 +213,17 @@ class ExactMotion:
     def spectrum(self, n: int) -> Spectrum:
         """The exact harmonics up to the order 2n − 1, all of them from one formula.
 
-        Raises InvalidInput for n < 1, and for a single motion on the separatrix.
+        Raises InvalidInput for an n that is not a whole number ≥ 1, and for a single motion on the
+        separatrix.
         """
-        if not n >= 1:
-            raise InvalidInput(f"A spectrum needs n ≥ 1 pairs of harmonics, but n is {n}.")
-        check_memory(self._count, 9 * n)
+        if not (n >= 1 and float(n).is_integer()):
+            raise InvalidInput(
+                f"A spectrum takes a whole number n ≥ 1 of pairs of harmonics, but n is {n}."
+            )
+        n = int(n)
+        check_memory(n, 9 * self._count)
         (order, frequency, amplitude), (order_z, frequency_z, amplitude_z), problems = (
-            self._motions.spectrum(int(n))
+            self._motions.spectrum(n)
         )
         if self._shape == ():
             for _, sentence in problems:
