@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from .. import _core
 from ..parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars
 from ._spectrum import Spectrum
-from ._times import check_memory, checked_grid, checked_times
+from ._times import check_memory, checked_count, checked_grid, checked_times
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -216,11 +216,7 @@ class ExactMotion:
         Raises InvalidInput for an n that is not a whole number ≥ 1, and for a single motion on the
         separatrix.
         """
-        if not (n >= 1 and float(n).is_integer()):
-            raise InvalidInput(
-                f"A spectrum takes a whole number n ≥ 1 of pairs of harmonics, but n is {n}."
-            )
-        n = int(n)
+        n = checked_count(n, 1, "The count n of pairs of harmonics")
         check_memory(n, 9 * self._count)
         (order, frequency, amplitude), (order_z, frequency_z, amplitude_z), problems = (
             self._motions.spectrum(n)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import operator
 import os
 from functools import cache
 from math import isfinite
@@ -10,7 +9,7 @@ from math import isfinite
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..parameters import InvalidInput, Numbers, as_array
+from ..parameters import InvalidInput, Numbers, as_array, as_numbers
 
 
 def checked_times(t: ArrayLike, numbers_each: int) -> Numbers:
@@ -28,21 +27,30 @@ def checked_times(t: ArrayLike, numbers_each: int) -> Numbers:
 
 def checked_grid(start: float, step: float, count: int, numbers_each: int) -> int:
     """The count as an int, where the grid makes sense."""
-    for name, value in (("start", start), ("step", step)):
+    for name, given in (("start", start), ("step", step)):
+        value = as_numbers(given, f"The grid's {name}", "s")
+        if not isinstance(value, float):
+            raise InvalidInput(f"The grid's {name} must be one number in s, but it is {given!r}.")
         if not isfinite(value):
             raise InvalidInput(f"The grid's {name} must be finite, but it is {value} s.")
     if step == 0:
         raise InvalidInput(
             "The grid's step must not be 0 s: every sample would be the same; use position(start)."
         )
-    try:
-        size = operator.index(count)
-    except TypeError:
-        size = int(count) if float(count).is_integer() else -1
-    if size < 0:
-        raise InvalidInput(f"The count of samples must be a whole number ≥ 0, but it is {count}.")
+    size = checked_count(count, 0, "The count of samples")
     check_memory(size, numbers_each)
     return size
+
+
+def checked_count(count: int, least: int, name: str) -> int:
+    """The count as an int, where it is a whole number of any type."""
+    try:
+        whole = not isinstance(count, str) and float(count).is_integer()
+    except (TypeError, ValueError, OverflowError):
+        whole = False
+    if not whole or count < least:
+        raise InvalidInput(f"{name} must be a whole number ≥ {least}, but it is {count!r}.")
+    return int(count)
 
 
 def check_memory(count: int, numbers_each: int) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..parameters import InvalidInput, Pendulum, Scalars, as_numbers
+from ..parameters import InvalidInput, Pendulum, Scalars, as_numbers, common_shape, unfit
 
 
 def precession_rate(
@@ -36,9 +36,8 @@ def precession_rate(
     rate is `ExactMotion.precession`. Source: M. G. Olsson, Am. J. Phys. 49, 531 (1981), eq. (25).
     """
     a, b, pendulum = _checked(a, b, length, gravity)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        ratio = np.multiply(a, b) / np.square(pendulum.length)
-        return as_numbers(0.375 * np.multiply(pendulum.angular_frequency, ratio), "Ω", "rad/s")
+    with np.errstate(all="ignore"):
+        return _finite(0.375 * np.multiply(np.multiply(a, b), pendulum.angular_frequency))
 
 
 def swing_frequency(
@@ -51,22 +50,35 @@ def swing_frequency(
     `ExactMotion.frequency`. Source: M. G. Olsson, Am. J. Phys. 49, 531 (1981), eq. (26).
     """
     a, b, pendulum = _checked(a, b, length, gravity)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        shift = (np.square(a) + np.square(b)) / (8 * np.square(pendulum.length))
+    with np.errstate(all="ignore"):
+        shift = (np.square(a) + np.square(b)) / 8
         if np.ndim(shift) == 0 and shift >= 1:
             raise InvalidInput(
-                f"The formula ω² = ω0² (1 − (a² + b²)/8l²) has no value at a = {a} m, b = {b} m, "
-                f"length = {pendulum.length} m; it is meant for a, b ≪ length. Use ExactMotion."
+                f"The formula ω² = ω0² (1 − (a² + b²)/8l²) has no value at a = {a} l, b = {b} l, "
+                f"length l = {pendulum.length} m; it is meant for a, b ≪ l. Use ExactMotion."
             )
-        return as_numbers(pendulum.angular_frequency * np.sqrt(1 - shift), "ω", "rad/s")
+        return _finite(pendulum.angular_frequency * np.sqrt(1 - shift))
 
 
 def _checked(
     a: ArrayLike, b: ArrayLike, length: ArrayLike, gravity: ArrayLike
 ) -> tuple[Scalars, Scalars, Pendulum]:
+    """The semi-axes in lengths, so that no square of theirs underflows before it must."""
     pendulum = Pendulum(length, gravity)
     axes = as_numbers(a, "The semi-axis a", "m"), as_numbers(b, "The semi-axis b", "m")
     for name, axis in zip("ab", axes, strict=True):
         if isinstance(axis, float) and not np.isfinite(axis):
             raise InvalidInput(f"The semi-axis {name} must be finite, but it is {axis} m.")
-    return *axes, pendulum
+    values = (*axes, *pendulum.values[:2])
+    try:
+        common_shape(values)
+    except ValueError:
+        raise unfit("a, b, length and gravity", values) from None
+    with np.errstate(all="ignore"):
+        reduced = [np.divide(axis, pendulum.length) for axis in axes]
+    return reduced[0], reduced[1], pendulum
+
+
+def _finite(rate: Scalars) -> Scalars:
+    """NaN for the bad cases of an array."""
+    return float(rate) if np.ndim(rate) == 0 else np.where(np.isfinite(rate), rate, np.nan)

@@ -6,4 +6,6 @@ from ._numbers import Numbers as Numbers
 from ._numbers import Scalars as Scalars
 from ._numbers import as_array as as_array
 from ._numbers import as_numbers as as_numbers
+from ._numbers import common_shape as common_shape
+from ._numbers import unfit as unfit
 from ._pendulum import Pendulum as Pendulum

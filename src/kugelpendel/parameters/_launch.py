@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._invalid import InvalidInput
-from ._numbers import Scalars, as_numbers, common_shape, equal, hashed
+from ._numbers import Scalars, as_numbers, common_shape, equal, hashed, lock, unfit
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,17 +110,21 @@ class Launch:
         """Let go at the angle θ from the downward vertical, azimuth φ; rad."""
         return cls.angles(theta, phi)
 
+    def __post_init__(self) -> None:
+        lock(self.values)
+
+    def __reduce__(self) -> tuple[type[Launch], tuple[str, tuple[Scalars, ...]]]:
+        return (Launch, (self.kind, self.values))
+
     @classmethod
     def _of(cls, kind: str, *arguments: tuple[str, ArrayLike, str]) -> Launch:
         values = tuple(as_numbers(v, f"The launch's {name}", unit) for name, v, unit in arguments)
         launch = cls(kind, values)
         try:
             _ = launch.shape
-        except ValueError as error:
+        except ValueError:
             names = ", ".join(name for name, _, _ in arguments)
-            raise InvalidInput(
-                f"The shapes of the launch's {names} do not fit together: {error}."
-            ) from None
+            raise unfit(f"the launch's {names}", values) from None
         return launch
 
     @property

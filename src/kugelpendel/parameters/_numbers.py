@@ -57,5 +57,21 @@ def equal(ours: tuple[Scalars, ...], theirs: tuple[Scalars, ...]) -> bool:
 
 
 def hashed(values: tuple[Scalars, ...]) -> int:
-    """A hash that goes with `equal`."""
-    return hash(tuple((np.shape(value), np.asarray(value).tobytes()) for value in values))
+    """A hash that goes with `equal`, to which 0 and −0 are the same."""
+    arrays = (np.asarray(value) + 0.0 for value in values)
+    return hash(tuple((array.shape, array.tobytes()) for array in arrays))
+
+
+def unfit(names: str, values: tuple[Scalars, ...]) -> InvalidInput:
+    """What to raise where `common_shape` has found none."""
+    shapes = ", ".join(str(np.shape(value)) for value in values)
+    return InvalidInput(
+        f"The shapes of {names} do not fit together: {shapes}; give them shapes that broadcast."
+    )
+
+
+def lock(values: tuple[Scalars, ...]) -> None:
+    """Make the arrays read-only; those that come out of a pickle or a copy are not."""
+    for value in values:
+        if isinstance(value, np.ndarray):
+            value.flags.writeable = False

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from .. import _core
 from ._invalid import InvalidInput
-from ._numbers import Scalars, as_numbers, common_shape, equal, hashed
+from ._numbers import Scalars, as_numbers, common_shape, equal, hashed, unfit
 
 
 @dataclass(frozen=True, eq=False, init=False)
@@ -43,10 +43,8 @@ class Pendulum:
         object.__setattr__(self, "mass", as_numbers(mass, "The bob's mass", "kg"))
         try:
             single = self.shape == ()
-        except ValueError as error:
-            raise InvalidInput(
-                f"The shapes of length, gravity and mass do not fit together: {error}."
-            ) from None
+        except ValueError:
+            raise unfit("length, gravity and mass", self.values) from None
         if single:
             problem = _core.pendulum_problem(*(float(value) for value in self.values))
             if problem is not None:
@@ -64,10 +62,16 @@ class Pendulum:
 
     @property
     def angular_frequency(self) -> Scalars:
-        """ω0 = √(g/l), rad/s: of infinitesimal swings."""
-        with np.errstate(invalid="ignore", divide="ignore"):
+        """ω0 = √(g/l), rad/s: of infinitesimal swings; NaN for the bad cases of an ensemble."""
+        with np.errstate(all="ignore"):
             frequency = np.sqrt(np.divide(self.gravity, self.length))
-        return as_numbers(frequency, "ω0", "rad/s")
+        if self.shape == ():
+            return float(frequency)
+        sound = np.greater(self.gravity, 0) & np.greater(self.length, 0) & np.isfinite(frequency)
+        return as_numbers(np.where(sound, frequency, np.nan), "ω0", "rad/s")
+
+    def __reduce__(self) -> tuple[type[Pendulum], tuple[Scalars, ...]]:
+        return (Pendulum, self.values)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Pendulum) and equal(self.values, other.values)
