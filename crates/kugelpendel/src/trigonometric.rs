@@ -32,13 +32,20 @@ pub(crate) struct Trigonometric {
 
 impl Trigonometric {
     pub(crate) fn new(length: f64, invariants: &Invariants, ladder: &Ladder) -> Self {
+        let turning = &invariants.turning;
         let nome = ladder.nome();
         // Harmonics beyond the degree must not leave their lower powers behind, so they are not begun.
         let degree = 1 + NOME_LIMITS.iter().filter(|&&limit| nome > limit).count();
         let from_above = invariants.from_above;
         let [lower, upper] = invariants.first_zeta_terms();
         let (lower, lower_reduced) = ladder.imaginary_argument(lower);
-        let (upper, upper_reduced) = ladder.imaginary_argument(upper);
+        let (mut upper, upper_reduced) = ladder.imaginary_argument(upper);
+        if turning.half_range == 0.0 && turning.high_depth > 0.0 {
+            // On a cone to the last bit W_1 and c_1 vanish together, and sinh 2η2 = W_1/c_1 goes to 2√(s_c − s_a) Λ.
+            let depths = turning.high_depth * turning.low_depth;
+            let slope = std::f64::consts::SQRT_2 * invariants.angular_momentum / depths;
+            upper = 0.5 * (slope * (turning.excess + turning.high_depth).sqrt()).asinh();
+        }
         let beta = if from_above {
             Series::odd(degree, nome, upper, upper_reduced, 1.0)
         } else {
@@ -56,7 +63,7 @@ impl Trigonometric {
         let at_top = |polynomial: &Polynomial| polynomial.iter().sum::<f64>();
         let alpha = at_top(&chart.alpha.im).abs() / at_top(&chart.delta.re);
         let beta = at_bottom(&chart.beta.re) / at_bottom(&chart.delta.re);
-        let [alpha, beta] = scales(length, &invariants.turning, alpha, beta);
+        let [alpha, beta] = scales(length, turning, alpha, beta);
         chart.alpha = chart.alpha.times(alpha, alpha * invariants.sense);
         chart.beta = chart.beta.times(beta, beta * invariants.sense);
         chart
