@@ -1,4 +1,8 @@
+from .motion import CubicMotion as CubicMotion
 from .motion import ExactMotion as ExactMotion
+from .motion import LinearMotion as LinearMotion
+from .motion import OlssonMotion as OlssonMotion
+from .motion import PlaneMotion as PlaneMotion
 from .motion import Spectrum as Spectrum
 from .observables import precession_rate as precession_rate
 from .observables import swing_frequency as swing_frequency
@@ -7,10 +11,14 @@ from .parameters import Launch as Launch
 from .parameters import Pendulum as Pendulum
 
 __all__ = [
+    "CubicMotion",
     "ExactMotion",
     "InvalidInput",
     "Launch",
+    "LinearMotion",
+    "OlssonMotion",
     "Pendulum",
+    "PlaneMotion",
     "Spectrum",
     "precession_rate",
     "swing_frequency",

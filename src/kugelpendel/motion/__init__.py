@@ -1,5 +1,9 @@
 """How it moves: every motion has the one interface of `Motion`."""
 
 from ._base import Motion as Motion
+from ._cubic import CubicMotion as CubicMotion
 from ._exact import ExactMotion as ExactMotion
+from ._linear import LinearMotion as LinearMotion
+from ._olsson import OlssonMotion as OlssonMotion
+from ._plane import PlaneMotion as PlaneMotion
 from ._spectrum import Spectrum as Spectrum
