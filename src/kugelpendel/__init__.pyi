@@ -1,3 +1,4 @@
+from . import series as series
 from .motion import CubicMotion as CubicMotion
 from .motion import ExactMotion as ExactMotion
 from .motion import LinearMotion as LinearMotion
@@ -21,5 +22,6 @@ __all__ = [
     "PlaneMotion",
     "Spectrum",
     "precession_rate",
+    "series",
     "swing_frequency",
 ]
