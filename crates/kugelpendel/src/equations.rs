@@ -14,12 +14,12 @@ pub enum Equation {
     Cubic,
 }
 
-/// (12) divides by the height of the support above the bob; nearer than this fraction of l it is given up.
-const NEAREST: f64 = 1e-4;
+/// Series of x, y, vx, vy, and of the depth below the support where the equation divides by it.
+pub(crate) type Expansion = ([Coefficients; 4], Option<Coefficients>);
 
 impl Equation {
-    /// Series of x, y, vx, vy; `None` where the equation ends.
-    pub(crate) fn series(self, [x0, y0, vx0, vy0]: [f64; 4]) -> Option<[Coefficients; 4]> {
+    /// `None` where the equation ends: at the support's level and above.
+    pub(crate) fn series(self, [x0, y0, vx0, vy0]: [f64; 4]) -> Option<Expansion> {
         let zero: Coefficients = [0.0; ORDER + 1];
         let (mut x, mut y, mut vx, mut vy) = (zero, zero, zero, zero);
         (x[0], y[0], vx[0], vy[0]) = (x0, y0, vx0, vy0);
@@ -33,7 +33,7 @@ impl Equation {
                     // depth = √(1 − ρ²), ratio = r·ṙ/depth
                     let square = one(k) - radius_squared;
                     if k == 0 {
-                        if square.is_nan() || square <= NEAREST * NEAREST {
+                        if square.is_nan() || square <= 0.0 {
                             return None;
                         }
                         depth[0] = square.sqrt();
@@ -53,7 +53,7 @@ impl Equation {
                 (vx[k + 1], vy[k + 1]) = (-product(&pull, &x, k) / next, -product(&pull, &y, k) / next);
             }
         }
-        Some([x, y, vx, vy])
+        Some(([x, y, vx, vy], (self == Self::Plane).then_some(depth)))
     }
 }
 

@@ -22,7 +22,7 @@ impl Step {
     /// x, y, vx, vy at a time within the step.
     pub(crate) fn at(&self, time: f64) -> [f64; 4] {
         let since = time - self.start;
-        self.series.map(|c| c.iter().rev().fold(0.0, |sum, c| sum * since + c))
+        self.series.map(|coefficients| sum(&coefficients, since))
     }
 }
 
@@ -34,28 +34,52 @@ pub(crate) struct Steps {
     state: [f64; 4],
     /// What rounding has taken from the state, given back with the next step.
     lost: [f64; 4],
+    ended: bool,
 }
 
 impl Steps {
     pub(crate) fn new(equation: Equation, state: [f64; 4], direction: f64) -> Self {
-        Self { equation, time: 0.0, direction, state, lost: [0.0; 4] }
+        Self { equation, time: 0.0, direction, state, lost: [0.0; 4], ended: false }
     }
 
     /// The next step, or the time at which the equation ends.
     pub(crate) fn next(&mut self) -> Result<Step, f64> {
-        let Some(series) = self.equation.series(self.state) else {
+        let expansion = if self.ended { None } else { self.equation.series(self.state) };
+        let Some((series, depth)) = expansion else {
             return Err(self.time);
         };
-        let size = self.direction * radius(&series) / std::f64::consts::E.powi(2);
+        let mut size = self.direction * radius(&series) / std::f64::consts::E.powi(2);
+        // The motion itself goes on smoothly through the support's level, so a step may reach across it.
+        if let Some(depth) = depth.filter(|depth| sum(depth, size) <= 0.0) {
+            size = bisected(&depth, size);
+            self.ended = true;
+        }
         let step = Step { start: self.time, size, series };
         for ((state, lost), series) in self.state.iter_mut().zip(&mut self.lost).zip(&step.series) {
-            let rise = series.iter().skip(1).rev().fold(0.0, |sum, c| sum * size + c) * size + *lost;
-            let sum = *state + rise;
-            *lost = rise - (sum - *state);
-            *state = sum;
+            let rise = sum(&series[1..], size) * size + *lost;
+            let next = *state + rise;
+            *lost = rise - (next - *state);
+            *state = next;
         }
         self.time += size;
         Ok(step)
+    }
+}
+
+/// The value of a series.
+fn sum(coefficients: &[f64], since: f64) -> f64 {
+    coefficients.iter().rev().fold(0.0, |sum, c| sum * since + c)
+}
+
+/// Where a series that starts above zero and ends at or below it first reaches it, to the last bit.
+fn bisected(coefficients: &Coefficients, end: f64) -> f64 {
+    let (mut above, mut below) = (0.0, end);
+    loop {
+        let middle = 0.5 * (above + below);
+        if middle == above || middle == below {
+            return above;
+        }
+        if sum(coefficients, middle) > 0.0 { above = middle } else { below = middle }
     }
 }
 

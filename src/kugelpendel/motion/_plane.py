@@ -17,7 +17,7 @@ class PlaneMotion(IntegratedMotion):
 
     As printed, the second term lacks a factor 1/l². Error: 1e-12 l over 100 swings
     (tests/motion/test_integrated.py). Where the bob reaches the height of the support the equation
-    divides by zero: `span` ends there, to 1e-3 of a swing. Raises InvalidInput for a launch on the
+    divides by zero: `span` ends there. Raises InvalidInput for a launch on the
     upper half of the sphere; in an ensemble such a case is NaN.
     """
 
