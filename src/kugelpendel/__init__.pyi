@@ -4,6 +4,7 @@ from .motion import ExactMotion as ExactMotion
 from .motion import LinearMotion as LinearMotion
 from .motion import OlssonMotion as OlssonMotion
 from .motion import PlaneMotion as PlaneMotion
+from .motion import SeriesMotion as SeriesMotion
 from .motion import Spectrum as Spectrum
 from .observables import precession_rate as precession_rate
 from .observables import swing_frequency as swing_frequency
@@ -20,6 +21,7 @@ __all__ = [
     "OlssonMotion",
     "Pendulum",
     "PlaneMotion",
+    "SeriesMotion",
     "Spectrum",
     "precession_rate",
     "series",
