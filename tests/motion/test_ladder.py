@@ -1,4 +1,4 @@
-"""The paper's motions: the one interface, what they share, and how far each is from the exact one."""
+"""The paper's motions: the one interface, and how far each is from the exact one."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LAUNCHES = {
     "clockwise": kp.Launch.plane(0.05, 0.02, 0.1, -0.2),
     "counter-clockwise": kp.Launch.apsides(0.1, 0.04, 1.0),
     "circle": kp.Launch.apsides(0.1, 0.1),
-    "straight": kp.Launch.at_rest(0.2, 0.7),
+    "straight": kp.Launch.at_rest(0.08, 0.7),
     "through the bottom": kp.Launch.plane(0.0, 0.0, 0.3, 0.1),
 }
 TIMES = np.linspace(-12.0, 12.0, 101)

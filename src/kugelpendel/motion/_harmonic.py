@@ -52,6 +52,9 @@ class HarmonicMotion(ABC):
         self._frequency, self._precession = frequency, precession
         self._motions = _core.HarmonicMotions(rows.reshape(-1, rows.shape[-1]))
 
+    def __reduce__(self) -> tuple[object, ...]:
+        return (type(self), (self.pendulum, self.launch))
+
     @abstractmethod
     def _rates(self) -> tuple[Numbers, Numbers]:
         """ω and Ω, rad/s, of `_outer` and `_inner`."""

@@ -44,15 +44,16 @@ class SeriesMotion(HarmonicMotion):
         omega0 = self.pendulum.angular_frequency
         alpha, beta = self._relative()
         return (
-            omega0 * series.frequency(self._order)(alpha, beta),
-            omega0 * series.precession(self._order)(alpha, beta),
+            np.asarray(omega0 * series.frequency(self._order)(alpha, beta)),
+            np.asarray(omega0 * series.precession(self._order)(alpha, beta)),
         )
 
     def _figure(self) -> tuple[Numbers, Numbers]:
         alpha, beta = self._relative()
         plan = series.harmonics(self._order).plan
         inner, outer = np.zeros((2, *self.shape, POWERS))
-        # cos nζ = cos ζ·p(sin² ζ), sin nζ = sin ζ·q(sin² ζ) for odd n: both by p_{n+2} = (2 − 4σ) p_n − p_{n−2}
+        # cos nζ = cos ζ·p(σ), sin nζ = sin ζ·q(σ) for odd n, σ = sin² ζ, and for p and for q alike
+        # p_{n+2} = (2 − 4σ) p_n − p_{n−2}.
         cos, sin = np.zeros((2, 2, POWERS))
         cos[:, 0], sin[:, 0] = 1.0, (-1.0, 1.0)
         # The series counts from a highest point, the figure from a lowest: a factor i^{n−1}.
