@@ -53,12 +53,12 @@ def rates(alpha: PowerSeries, beta: PowerSeries) -> tuple[PowerSeries, PowerSeri
     depths = [((1 - radius * radius).power(1) + 1) / 2 for radius in (alpha, beta)]
     product = depths[0] * depths[1]
     third = (depths[0] + depths[1] - 1) * product.inverse()
-    powers = [[PowerSeries.constant(1, degree)] for _ in depths]
+    powers = [[alpha.constant(1)] for _ in depths]
     for depth, list_ in zip(depths, powers, strict=True):
         for _ in range(degree // 2):
             list_.append(list_[-1] * (1 - depth))
     scale = alpha * beta
-    period = PowerSeries.constant(0, degree)
+    period = alpha.constant(0)
     azimuth = period
     third_power = powers[0][0]
     partial = third_power  # 4ⁿ Σ_{k≤n} c_k rᵏ
@@ -81,29 +81,32 @@ def in_radii(degree: int) -> Expansion:
     alpha, beta = PowerSeries.variables(degree)
     frequency, precession = rates(alpha, beta)
     targets = (alpha + beta) / 2, (alpha - beta) / 2
-    poles = [target / 4 for target in targets]
-    for _ in range(degree // 2):
+    poles: list[PowerSeries] = [target / 4 for target in targets]
+    for known in range(3, degree + 1, 2):
+        poles = [pole.to(known) for pole in poles]
         plan = _plan(frequency, precession, poles)
         for i, target in enumerate(targets):
             poles[i] += (target - _circular(plan, i)) / 4
-    return _expansion(beta, frequency, precession, poles)
+    return _expansion(beta, frequency, precession, [pole.to(degree) for pole in poles])
 
 
 def in_harmonics(degree: int) -> Expansion:
     """In powers of the semi-axes of the ellipse that the first harmonics make."""
     a, b = PowerSeries.variables(degree)
     targets = (a + b) / 2, (a - b) / 2
-    poles = [target / 4 for target in targets]
-    alpha, beta = a, b
-    for _ in range(degree // 2 + 1):
-        frequency, precession = rates(alpha, beta)
+    poles: list[PowerSeries] = [target / 4 for target in targets]
+    alpha, beta = a.to(2), b.to(2)
+    for known in range(3, degree + 1, 2):
+        frequency, precession = rates(alpha.to(known), beta.to(known))
+        poles = [pole.to(known) for pole in poles]
         plan = _plan(frequency, precession, poles)
         for i, target in enumerate(targets):
             poles[i] += (target - plan[(1, -1)[i]]) / 4
         plan = _plan(frequency, precession, poles)
         sums = _circular(plan, 0), _circular(plan, 1)
         alpha, beta = sums[0] + sums[1], sums[0] - sums[1]
-    return _expansion(beta, *rates(alpha, beta), poles)
+    beta = beta.to(degree)
+    return _expansion(beta, *rates(alpha.to(degree), beta), [pole.to(degree) for pole in poles])
 
 
 def _circular(plan: dict[int, PowerSeries], sense: int) -> PowerSeries:

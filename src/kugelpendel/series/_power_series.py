@@ -15,11 +15,6 @@ from fractions import Fraction
 _SCALE = 4  # bits per degree
 
 
-def _slot(degree: int) -> int:
-    # Twice the bits that a coefficient below 1 needs, and some, for what is met on the way.
-    return 2 * _SCALE * degree + 64
-
-
 @dataclass(frozen=True)
 class PowerSeries:
     """A series up to and including total degree len(parts) − 1.
@@ -28,31 +23,43 @@ class PowerSeries:
     ----------
     parts
         The part of each total degree at (1, 2^slot), times 16^degree.
+    slot
+        Bits for one digit, the same for all series of a calculation.
+
+    The result of two is as long as the shorter one.
     """
 
     parts: tuple[int, ...]
+    slot: int
 
     @classmethod
     def variables(cls, degree: int) -> tuple[PowerSeries, PowerSeries]:
         """The two variables themselves."""
+        # Twice the bits that a coefficient below 1 needs, and some, for what is met on the way.
+        slot = 2 * _SCALE * degree + 64
         rest = (0,) * (degree - 1)
         first = 1 << _SCALE
-        return cls((0, first, *rest)), cls((0, first << _slot(degree), *rest))
+        return cls((0, first, *rest), slot), cls((0, first << slot, *rest), slot)
 
-    @classmethod
-    def constant(cls, value: int, degree: int) -> PowerSeries:
-        """A whole number."""
-        return cls((value, *(0,) * degree))
+    def to(self, degree: int) -> PowerSeries:
+        """Cut, or continued with zeros."""
+        rest = (0,) * (degree + 1 - len(self.parts))
+        return PowerSeries((*self.parts[: degree + 1], *rest), self.slot)
+
+    def constant(self, value: int) -> PowerSeries:
+        """A whole number, as a series like this one."""
+        return PowerSeries((value, *(0,) * (len(self.parts) - 1)), self.slot)
 
     def __add__(self, other: PowerSeries | int) -> PowerSeries:
         if isinstance(other, int):
-            return PowerSeries((self.parts[0] + other, *self.parts[1:]))
-        return PowerSeries(tuple(x + y for x, y in zip(self.parts, other.parts, strict=True)))
+            return PowerSeries((self.parts[0] + other, *self.parts[1:]), self.slot)
+        pairs = zip(self.parts, other.parts, strict=False)
+        return PowerSeries(tuple(x + y for x, y in pairs), self.slot)
 
     __radd__ = __add__
 
     def __neg__(self) -> PowerSeries:
-        return PowerSeries(tuple(-x for x in self.parts))
+        return -1 * self
 
     def __sub__(self, other: PowerSeries | int) -> PowerSeries:
         return self + (-other)
@@ -62,8 +69,8 @@ class PowerSeries:
 
     def __mul__(self, other: PowerSeries | int) -> PowerSeries:
         if isinstance(other, int):
-            return PowerSeries(tuple(other * x for x in self.parts))
-        result = [0] * len(self.parts)
+            return PowerSeries(tuple(other * x for x in self.parts), self.slot)
+        result = [0] * min(len(self.parts), len(other.parts))
         theirs = [(j, y) for j, y in enumerate(other.parts) if y]
         for i, x in enumerate(self.parts):
             if x:
@@ -71,13 +78,13 @@ class PowerSeries:
                     if i + j >= len(result):
                         break
                     result[i + j] += x * y
-        return PowerSeries(tuple(result))
+        return PowerSeries(tuple(result), self.slot)
 
     __rmul__ = __mul__
 
     def __truediv__(self, divisor: int) -> PowerSeries:
         """By a whole number, and only where nothing remains."""
-        return PowerSeries(tuple(_exactly(x, divisor) for x in self.parts))
+        return PowerSeries(tuple(_exactly(x, divisor) for x in self.parts), self.slot)
 
     def power(self, twice: int) -> PowerSeries:
         """To the power twice/2, of a series that begins with 1: f g' = (twice/2) g f', degree by
@@ -90,10 +97,10 @@ class PowerSeries:
             total = sum(
                 (twice * k - 2 * (n - k)) * self.parts[k] * result[n - k]
                 for k in range(1, n + 1)
-                if self.parts[k]
+                if self.parts[k] and result[n - k]
             )
             result.append(_exactly(total, 2 * n))
-        return PowerSeries(tuple(result))
+        return PowerSeries(tuple(result), self.slot)
 
     def inverse(self) -> PowerSeries:
         """1/f, of a series that begins with 1."""
@@ -101,14 +108,13 @@ class PowerSeries:
 
     def coefficients(self) -> dict[tuple[int, int], Fraction]:
         """The coefficients that are not zero, by the exponents of the two variables."""
-        slot = _slot(len(self.parts) - 1)
-        half = 1 << (slot - 1)
+        half = 1 << (self.slot - 1)
         found: dict[tuple[int, int], Fraction] = {}
         for degree, part in enumerate(self.parts):
             for second in range(degree + 1):
                 digit = ((part + half) & (2 * half - 1)) - half
-                part = (part - digit) >> slot
-                if abs(digit) >> (slot - 8):
+                part = (part - digit) >> self.slot
+                if abs(digit) >> (self.slot - 8):
                     raise ArithmeticError(f"the digits of degree {degree} run into one another")
                 if digit:
                     found[degree - second, second] = Fraction(digit, 1 << (_SCALE * degree))
