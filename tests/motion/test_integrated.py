@@ -53,11 +53,18 @@ class TestSupportLevel:
 
     def test_beyond_is_an_error_with_the_times(self) -> None:
         motion = kp.PlaneMotion(UNIT, self.launch)
-        first, last = motion.span
-        with pytest.raises(kp.InvalidInput) as caught:
-            motion.position(10.0)
-        for part in (f"{first:.6g} s", f"{last:.6g} s", "10 s", "height of the support"):
-            assert part in str(caught.value)
+        for time, end in zip((-10.0, 10.0), motion.span, strict=True):
+            with pytest.raises(kp.InvalidInput) as caught:
+                motion.position(time)
+            for part in (f"ends at {end:.6g} s", f"{time:g} s", "height of the support", "span"):
+                assert part in str(caught.value)
+
+    def test_in_an_ensemble_it_is_nan_from_there_on(self) -> None:
+        motion = kp.PlaneMotion(UNIT, kp.Launch.plane(0.3, 0.2, 0.2, [0.1, 1.6]))
+        position = motion.position([-10.0, 0.0, 10.0])
+        np.testing.assert_array_equal(
+            np.isnan(position).any(axis=-1), [[False, False, False], [True, False, True]]
+        )
 
     def test_below_there_is_no_end(self) -> None:
         assert kp.PlaneMotion(UNIT, kp.Launch.apsides(0.9, 0.3)).span == (-np.inf, np.inf)

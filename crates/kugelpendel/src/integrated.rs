@@ -17,7 +17,7 @@ pub struct IntegratedMotion {
 }
 
 impl IntegratedMotion {
-    /// Fills `out`, three numbers to a time.
+    /// Fills `out`, three numbers to a time; beyond an end it is left as it was.
     ///
     /// # Errors
     /// The time in s at which the bob reaches the support's level, where (12) ends.
@@ -30,8 +30,8 @@ impl IntegratedMotion {
         order.sort_by(|a, b| times[*a].total_cmp(&times[*b]));
         let first_ahead = order.partition_point(|index| times[*index] < 0.0);
         let (behind, ahead) = order.split_at(first_ahead);
-        self.sweep(1.0, ahead.iter(), quantity, times, out)?;
-        self.sweep(-1.0, behind.iter().rev(), quantity, times, out)
+        let ahead = self.sweep(1.0, ahead.iter(), quantity, times, out);
+        ahead.and(self.sweep(-1.0, behind.iter().rev(), quantity, times, out))
     }
 
     /// The times in s between which the motion holds, given that it meets the support's level within `period`.
@@ -70,12 +70,15 @@ impl IntegratedMotion {
         let mut step: Option<Step> = None;
         for &index in order {
             let time = times[index] * omega0;
-            let current = loop {
-                match &step {
-                    Some(step) if (time - step.start).abs() <= step.size.abs() => break step,
-                    _ => step = Some(steps.next().map_err(|end| end / omega0)?),
+            while step.as_ref().is_none_or(|step| (time - step.start).abs() > step.size.abs()) {
+                match steps.next() {
+                    Ok(next) => step = Some(next),
+                    // The end itself, after its conversion to seconds and back, still belongs to the last step.
+                    Err(end) if (time - end).abs() <= 1e-15 * end.abs() => break,
+                    Err(end) => return Err(end / omega0),
                 }
-            };
+            }
+            let Some(current) = &step else { return Err(0.0) };
             out[3 * index..3 * index + 3].copy_from_slice(&self.point(quantity, current.at(time)));
         }
         Ok(())

@@ -17,6 +17,7 @@ from ._times import checked_grid, checked_times
 class IntegratedMotion(ABC):
     """A motion in the plan view by an equation r̈ = −Λr, integrated by Taylor series of order 24.
 
+    In an ensemble, a case that has ended is NaN from there on; a single motion raises.
     Every request is integrated from t = 0 on, forwards and backwards, so it takes time in
     proportion to the span and keeps nothing; z lies on the lower half of the sphere.
     """
@@ -84,15 +85,16 @@ class IntegratedMotion(ABC):
 
     def _filled(self, t: ArrayLike, *, velocity: bool) -> Numbers:
         times = checked_times(t, 3 * self._count)
-        first, last = self.span
-        if times.size and not (first <= times.min() and times.max() <= last):
-            raise InvalidInput(
-                f"{type(self).__name__} ends where the bob reaches the height of the support, at "
-                f"{first:.6g} s and {last:.6g} s; asked for are times from {times.min():.6g} s to "
-                f"{times.max():.6g} s. Use ExactMotion."
-            )
         rows = np.full((self._count, 3 * times.size), np.nan)
         for k in self._cases():
             pendulum, start = self._pendulums[k].tolist(), self._starts[k].tolist()
-            rows[k], _ = _core.integrated(pendulum, self._equation, start, times.ravel(), velocity)
+            rows[k], end = _core.integrated(
+                pendulum, self._equation, start, times.ravel(), velocity
+            )
+            if end is not None and self.shape == ():
+                raise InvalidInput(
+                    f"{type(self).__name__} ends at {end:.6g} s, where the bob reaches the height of "
+                    f"the support; asked for are times from {times.min():.6g} s to "
+                    f"{times.max():.6g} s. Keep to its span, or use ExactMotion."
+                )
         return rows.reshape(*self.shape, *times.shape, 3)
