@@ -5,10 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 
-from ._expansion import in_harmonics, in_radii
-from ._orders import NAMES, Variables, checked_order, checked_variables
+from ._orders import Variables, checked_order, checked_variables
 from ._polynomial import Polynomial
-from ._power_series import PowerSeries
+from ._table import names, polynomial
 
 
 @dataclass(frozen=True)
@@ -56,7 +55,7 @@ def frequency(order: int, variables: Variables = "radii") -> Polynomial:
     Error: that of the terms left out, see `trusted` and docs/series.md; the coefficients are exact.
     """
     order, variables = checked_order(order), checked_variables(variables)
-    return _everything(order, variables)[0]
+    return polynomial(order, variables, "frequency", order)
 
 
 def precession(order: int, variables: Variables = "radii") -> Polynomial:
@@ -65,7 +64,7 @@ def precession(order: int, variables: Variables = "radii") -> Polynomial:
     Positive counter-clockwise seen from above; parameters and errors as in `frequency`.
     """
     order, variables = checked_order(order), checked_variables(variables)
-    return _everything(order, variables)[1]
+    return polynomial(order, variables, "precession", order)
 
 
 def harmonics(order: int, variables: Variables = "radii") -> Harmonics:
@@ -74,23 +73,16 @@ def harmonics(order: int, variables: Variables = "radii") -> Harmonics:
     Parameters and errors as in `frequency`.
     """
     order, variables = checked_order(order), checked_variables(variables)
-    return _everything(order, variables)[2]
+    return _harmonics(order, variables)
 
 
 @cache
-def _everything(order: int, variables: Variables) -> tuple[Polynomial, Polynomial, Harmonics]:
-    expansion = {"radii": in_radii, "harmonics": in_harmonics}[variables](order + 2)
+def _harmonics(order: int, variables: Variables) -> Harmonics:
+    def kind(which: str, degree: int) -> dict[int, Polynomial]:
+        found = {
+            n: polynomial(order, variables, name, degree)
+            for n, name in names(order, variables, which).items()
+        }
+        return {n: amplitude for n, amplitude in found.items() if amplitude.terms}
 
-    def upto(degree: int, series: PowerSeries) -> Polynomial:
-        return Polynomial.of(series.coefficients(), NAMES[variables]).truncated(degree)
-
-    plan = {n: upto(order + 1, expansion.plan[n]) for n in expansion.plan}
-    height = {n: upto(order + 2, expansion.height[n]) for n in expansion.height}
-    return (
-        upto(order, expansion.frequency),
-        upto(order, expansion.precession),
-        Harmonics(
-            {n: amplitude for n, amplitude in plan.items() if amplitude.terms},
-            {n: amplitude for n, amplitude in height.items() if amplitude.terms},
-        ),
-    )
+    return Harmonics(kind("plan", order + 1), kind("height", order + 2))

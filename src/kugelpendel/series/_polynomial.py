@@ -57,6 +57,12 @@ class Polynomial:
             tuple(term for term in self.terms if term[0] + term[1] <= degree), self.variables
         )
 
+    def homogeneous(self, degree: int) -> Polynomial:
+        """The terms of one total degree."""
+        return Polynomial(
+            tuple(term for term in self.terms if term[0] + term[1] == degree), self.variables
+        )
+
     def __call__(self, first: ArrayLike, second: ArrayLike) -> Scalars:
         x = as_numbers(first, self.variables[0], "units of the length")
         y = as_numbers(second, self.variables[1], "units of the length")
