@@ -154,7 +154,7 @@ def compare(
         )
     rungs = [
         _Rung("LinearMotion", "(16)", LinearMotion, _own_rates),
-        _Rung("OlssonMotion", "(20), (25), (26)", OlssonMotion, _own_rates),
+        _Rung("OlssonMotion", "(20, 25, 26)", OlssonMotion, _own_rates),
         _Rung("CubicMotion", "(13)", CubicMotion, measured_rates),
         *(_series(order) for order in orders),
         _Rung("PlaneMotion", "(12)", PlaneMotion, measured_rates),
