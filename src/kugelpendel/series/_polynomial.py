@@ -68,7 +68,7 @@ class Polynomial:
         y = as_numbers(second, self.variables[1], "units of the length")
         square = y * y
         value: Scalars = 0.0 * (x + y)
-        above = 0
+        above = self._rows[0][0] if self._rows else 0
         for i, j, row in self._rows:
             inner: Scalars = row[0]
             for coefficient in row[1:]:
