@@ -76,9 +76,9 @@ def rates(alpha: PowerSeries, beta: PowerSeries) -> tuple[PowerSeries, PowerSeri
     return frequency, frequency * azimuth * product.power(-1)
 
 
-def in_radii(degree: int) -> Expansion:
-    """In powers of the turning radii, α and β."""
-    alpha, beta = PowerSeries.variables(degree)
+def in_radii(alpha: PowerSeries, beta: PowerSeries) -> Expansion:
+    """In powers of the turning radii: two variables, or one and a multiple of it."""
+    degree = len(alpha.parts) - 1
     frequency, precession = rates(alpha, beta)
     targets = (alpha + beta) / 2, (alpha - beta) / 2
     poles: list[PowerSeries] = [target / 4 for target in targets]
@@ -90,9 +90,9 @@ def in_radii(degree: int) -> Expansion:
     return _expansion(beta, frequency, precession, [pole.to(degree) for pole in poles])
 
 
-def in_harmonics(degree: int) -> Expansion:
-    """In powers of the semi-axes of the ellipse that the first harmonics make."""
-    a, b = PowerSeries.variables(degree)
+def in_harmonics(a: PowerSeries, b: PowerSeries) -> Expansion:
+    """In powers of the semi-axes of the ellipse that the first harmonics make, likewise."""
+    degree = len(a.parts) - 1
     targets = (a + b) / 2, (a - b) / 2
     poles: list[PowerSeries] = [target / 4 for target in targets]
     alpha, beta = a.to(2), b.to(2)

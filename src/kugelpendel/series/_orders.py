@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Literal, SupportsIndex, TypeAlias
+from operator import index
+from typing import Literal, TypeAlias
 
 from ..parameters import InvalidInput
 
@@ -15,11 +16,14 @@ LIMIT = 40
 
 def checked_order(order: object) -> int:
     """An even whole number from 2 to LIMIT. Raises InvalidInput for anything else."""
-    if isinstance(order, bool) or not isinstance(order, SupportsIndex):
+    try:
+        number = index(order)  # pyright: ignore[reportArgumentType]
+    except TypeError:
+        number = None
+    if number is None or isinstance(order, bool):
         raise InvalidInput(
             f"The order of the series must be a whole number, but it is {order!r}; use 2, 4, 6, …"
         )
-    number = order.__index__()
     if number % 2:
         raise InvalidInput(
             f"The order of the series must be even, but it is {number}: by symmetry the series go "

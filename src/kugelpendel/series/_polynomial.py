@@ -120,4 +120,5 @@ class Polynomial:
                 factors.insert(0, number(abs(coefficient)))
             sign = "-" if coefficient < 0 else "+"
             text += f" {sign} {times.join(factors)}"
-        return text.removeprefix(" + ").replace(" - ", "-", 1) if text[1:2] == "-" else text[3:]
+        text = text.removeprefix(" + ") or "0"
+        return text.replace(" - ", "-", 1) if text.startswith(" - ") else text

@@ -51,8 +51,8 @@ def written(expansion: Expansion) -> Written:
 def derived(order: int, variables: Variables) -> Written:
     """The coefficients, computed."""
     # Two degrees more than the frequency's, for the heights, which begin with the second.
-    degree = order + 2
-    return written(in_radii(degree) if variables == "radii" else in_harmonics(degree))
+    amplitudes = PowerSeries.variables(order + 2)
+    return written((in_radii if variables == "radii" else in_harmonics)(*amplitudes))
 
 
 @cache
