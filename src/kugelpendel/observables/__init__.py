@@ -3,6 +3,8 @@
 from ._compare import Compared as Compared
 from ._compare import Comparison as Comparison
 from ._compare import compare as compare
+from ._measured import Rates as Rates
+from ._measured import measured_rates as measured_rates
 from ._olsson import precession_rate as precession_rate
 from ._olsson import swing_frequency as swing_frequency
 from ._validity import Validity as Validity

@@ -82,12 +82,13 @@ def compared(comparison: Comparison, title: str = "") -> Figure:
         axes.grid(axis="y", which="major", color=_ink.QUIET, alpha=0.25, linewidth=0.8)
         _label(axes, ends)
         missing = [row.name for row in comparison.rows if row.errors is None]
-        if missing:
-            figure.supxlabel(
-                f"Not drawn, as they do not hold for this launch: {', '.join(missing)}.",
-                fontsize=9,
-                color=_ink.TEXT,
-            )
+        if not ends:
+            axes.set_axis_off()
+            says = "Only the exact motion holds for this launch."
+            axes.text(0.5, 0.5, says, transform=axes.transAxes, ha="center", fontsize=11)
+        elif missing:
+            says = f"Not drawn, as they do not hold for this launch: {', '.join(missing)}."
+            figure.supxlabel(says, fontsize=9, color=_ink.TEXT)
     return figure
 
 
@@ -136,7 +137,7 @@ def _label(axes: Axes, ends: list[tuple[float, str, str]]) -> None:
             color=colour,
             fontsize=9.5,
             va="center",
-            arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.8, "alpha": 0.6},
+            arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.8, "relpos": (0, 0.5)},
         )
 
 
