@@ -79,6 +79,7 @@ def _outward(motion: Motion, times: Numbers) -> Numbers:
 
 def _zeros(motion: Motion, low: Numbers, high: Numbers, f_low: Numbers, f_high: Numbers) -> Numbers:
     """Where the bob stops going outwards, in brackets, by the Illinois variant of regula falsi."""
+    best, least = np.where(f_low < -f_high, low, high), np.minimum(f_low, -f_high)
     for _ in range(_ROUNDS):
         with np.errstate(invalid="ignore", divide="ignore"):
             middle = low + (high - low) * f_low / (f_low - f_high)
@@ -86,8 +87,9 @@ def _zeros(motion: Motion, low: Numbers, high: Numbers, f_low: Numbers, f_high: 
         if np.all((middle <= low) | (middle >= high)):
             break
         f = _outward(motion, middle)
+        best, least = np.where(abs(f) < least, middle, best), np.minimum(abs(f), least)
         outward = f > 0
         # The end that stays put has its value halved, or it would stay for good.
         f_low, f_high = np.where(outward, f, f_low / 2), np.where(outward, f_high / 2, f)
         low, high = np.where(outward, middle, low), np.where(outward, high, middle)
-    return np.asarray((low + high) / 2)
+    return np.asarray(best)
