@@ -11,7 +11,7 @@ Variables: TypeAlias = Literal["radii", "harmonics"]
 
 NAMES: dict[Variables, tuple[str, str]] = {"radii": ("α", "β"), "harmonics": ("a", "b")}
 LIMIT = 40
-"""The highest order; how long it takes is measured by benchmarks/orders.py."""
+"""The highest order; how long it takes is measured by benchmarks/series.py."""
 
 
 def checked_order(order: object) -> int:
