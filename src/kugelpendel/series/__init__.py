@@ -1,21 +1,9 @@
 """The theory of the paper carried on: frequency, precession and harmonics to any even order."""
 
-from ._functions import Harmonics as Harmonics
-from ._functions import frequency as frequency
-from ._functions import harmonics as harmonics
-from ._functions import precession as precession
-from ._polynomial import Polynomial as Polynomial
-from ._radius import radius as radius
-from ._trust import Trust as Trust
-from ._trust import trusted as trusted
+# lazy_loader has no types; those of the names are in `__init__.pyi`.
+# pyright: reportMissingTypeStubs=false, reportUnknownVariableType=false
 
-__all__ = [
-    "Harmonics",
-    "Polynomial",
-    "Trust",
-    "frequency",
-    "harmonics",
-    "precession",
-    "radius",
-    "trusted",
-]
+import lazy_loader
+
+# Fractions and the table are for those who ask for a series, not for every motion.
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

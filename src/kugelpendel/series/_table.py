@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from fractions import Fraction
 from functools import cache
-from importlib.resources import files
+from pathlib import Path
 from typing import TypedDict
 
 from ._expansion import Expansion, in_harmonics, in_radii
@@ -58,7 +58,8 @@ def derived(order: int, variables: Variables) -> Written:
 @cache
 def stored() -> Table:
     """The shipped table."""
-    return json.loads(files(__name__.rpartition(".")[0]).joinpath(FILE).read_text(encoding="utf-8"))
+    # Not by importlib.resources, which takes longer to import than all else here.
+    return json.loads(Path(__file__).with_name(FILE).read_text(encoding="utf-8"))
 
 
 @cache
