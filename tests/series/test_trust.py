@@ -50,6 +50,12 @@ def test_plane_motion_has_a_precession_error_too() -> None:
     assert kp.series.trusted(0.0, 0.0, 2).worst == 0.0
 
 
+def test_orders_whose_next_are_not_in_the_table() -> None:
+    expected = kp.series.trusted(0.8, 0.2, 16).frequency
+    exact = kp.ExactMotion(PENDULUM, kp.Launch.apsides(0.8, 0.2)).frequency
+    assert expected == pytest.approx(abs(kp.series.frequency(16)(0.8, 0.2) / exact - 1), rel=0.3)
+
+
 def test_signs_and_exchange_do_not_matter() -> None:
     trust = kp.series.trusted(0.3, 0.1, 4)
     for alpha, beta in ((0.3, -0.1), (0.1, 0.3), (-0.3, 0.1)):

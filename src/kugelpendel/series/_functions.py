@@ -72,12 +72,14 @@ def harmonics(order: int, variables: Variables = "radii") -> Harmonics:
 
     Parameters and errors as in `frequency`.
     """
-    order, variables = checked_order(order), checked_variables(variables)
-    return _harmonics(order, variables)
+    found = all_harmonics(checked_order(order), checked_variables(variables))
+    return Harmonics(dict(found.plan), dict(found.height))  # the caller's own
 
 
 @cache
-def _harmonics(order: int, variables: Variables) -> Harmonics:
+def all_harmonics(order: int, variables: Variables) -> Harmonics:
+    """As `harmonics`, of any even order; not to be changed."""
+
     def kind(which: str, degree: int) -> dict[int, Polynomial]:
         found = {
             n: polynomial(order, variables, name, degree)

@@ -27,7 +27,8 @@ class Polynomial:
     variables
         Names of the two: α, β for the turning radii, a, b for the first harmonics, over l.
 
-    Called with numbers or arrays, it gives its value in their common shape.
+    Called with numbers or arrays, it gives its value in their common shape. It has one for every
+    amplitude, within the convergence of the series or not: how wrong it is says `trusted`.
     """
 
     terms: tuple[tuple[int, int, Fraction], ...]

@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..parameters import InvalidInput, Numbers, Scalars, as_numbers
-from ._functions import frequency, harmonics, precession
+from ._functions import all_harmonics, frequency, precession
 from ._orders import checked_order
 from ._polynomial import Polynomial
+from ._table import polynomial
 
 WARNED = 0.01
 """A relative error of frequency or precession above this makes a warning."""
@@ -41,13 +42,13 @@ class Trust:
     @cached_property
     def frequency(self) -> Scalars:
         """Of ω, relative."""
-        series = frequency(self.order + 4)
+        series = self._beyond("frequency")
         return self._number(self._left_out(series, self.order) / series(self.alpha, self.beta))
 
     @cached_property
     def precession(self) -> Scalars:
         """Of Ω, relative to itself, and to its limit where the motion is plane."""
-        series = precession(self.order + 4)
+        series = self._beyond("precession")
         terms = tuple((i - 1, j - 1, value) for i, j, value in series.terms)
         over_product = Polynomial(terms, series.variables)
         error = self._left_out(over_product, self.order - 2)
@@ -65,7 +66,7 @@ class Trust:
     @cached_property
     def position(self) -> Scalars:
         """Of the harmonics: of the position over l, besides the drift."""
-        found = harmonics(self.order + 4)
+        found = all_harmonics(self.order + 4, "radii")
         plan = sum(self._left_out(series, self.order + 1) for series in found.plan.values())
         height = sum(self._left_out(series, self.order + 2) for series in found.height.values())
         return self._number(np.hypot(plan, height))
@@ -93,6 +94,9 @@ class Trust:
             f"{_largest(self.frequency):.1e}, of the precession {_largest(self.precession):.1e} "
             f"(relative), of the harmonics {_largest(self.position):.1e} l."
         )
+
+    def _beyond(self, name: str) -> Polynomial:
+        return polynomial(self.order + 4, "radii", name, self.order + 4)
 
     def _left_out(self, series: Polynomial, degree: int) -> Numbers:
         """The terms beyond a degree: |first| + |second| (1 + x + x² + …), x = max(α, β)²."""
