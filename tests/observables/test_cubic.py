@@ -19,7 +19,7 @@ def page(repository: Path) -> dict:
     return runpy.run_path(str(repository / "docs/motions.py"))
 
 
-def by_quadrature(a: float, b: float) -> tuple[mp.mpf, mp.mpf]:
+def by_quadrature(a: float | mp.mpf, b: float | mp.mpf) -> tuple[mp.mpf, mp.mpf]:
     """ω and Ω of (13) between the turning radii a, b.
 
     (13) is central, and with s = x² + y² the chain rule gives d(v²)/ds = −v² − 1 + s/2, solved by

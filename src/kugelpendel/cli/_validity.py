@@ -12,7 +12,7 @@ from kugelpendel.cli._compared import plain_table, terminal
 from kugelpendel.cli._folder import staged
 from kugelpendel.cli._quantity import LENGTH, read_quantity
 from kugelpendel.cli._words import given
-from kugelpendel.plot import significant, spell_percent
+from kugelpendel.plot import LEVELS, significant, spell_percent
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -20,8 +20,6 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from kugelpendel.parameters import Scalars
-
-LEVELS = (1e-4, 1e-3, 1e-2, 1e-1)
 
 _ENDINGS = (".png", ".svg", ".pdf")
 
@@ -49,13 +47,13 @@ def validity(length: str | None, a: str | None, b: str | None, picture: Path | N
             f"--out {picture}: the name of the figure must end in one of {', '.join(_ENDINGS)}."
         )
     errors = kp.validity_map()
+    mark, name = None, ""
     if length is None and a is None and b is None:
-        mark, name, parts = None, "", _reaches(errors)
+        parts = _reaches(errors)
     else:
-        ellipse = _ellipse(length, a, b)
-        outer, inner, size = ellipse
-        mark, name = (outer / size, abs(inner) / outer if outer else 0.0), _name(*ellipse)
-        parts = _for_one(*ellipse)
+        outer, inner, size = _ellipse(length, a, b)
+        parts, name = _for_one(outer, inner, size), _name(outer, inner, size)
+        mark = (outer / size, abs(inner) / outer if outer else 0.0)
     if picture is not None:
         with staged(picture.parent, (picture.name,)) as temporary:
             plot.save(plot.validity(errors, mark, name), temporary / picture.name)

@@ -9,9 +9,11 @@ from ._units import spell as spell
 from ._units import spell_percent as spell_percent
 from ._units import spell_rate as spell_rate
 from ._units import unit_for as unit_for
+from ._validity import LEVELS as LEVELS
 from ._validity import validity as validity
 
 __all__ = [
+    "LEVELS",
     "Constants",
     "Unit",
     "compared",
