@@ -118,3 +118,17 @@ def test_olsson_is_the_ansatz() -> None:
     x = a * np.cos(w) * np.cos(turn) - b * np.sin(w) * np.sin(turn)
     y = a * np.cos(w) * np.sin(turn) + b * np.sin(w) * np.cos(turn)
     np.testing.assert_allclose(motion.position(t)[:, :2], np.stack([x, y], axis=-1), atol=2e-15)
+
+
+def test_a_series_says_how_wrong_it_is() -> None:
+    with pytest.warns(UserWarning, match=r"order 2 is wrong by up to .* use a higher order"):
+        motion = kp.SeriesMotion(kp.Pendulum(1.0), kp.Launch.apsides(0.6, 0.3), order=2)
+    exact = kp.ExactMotion(kp.Pendulum(1.0), kp.Launch.apsides(0.6, 0.3))
+    error = motion.precession / exact.precession - 1
+    assert motion.expected.precession == pytest.approx(-error, rel=0.3)
+
+
+@pytest.mark.parametrize("order", [1, 3, 0, -2, 14, 2.5, "6"])
+def test_orders_that_make_no_sense(order: object) -> None:
+    with pytest.raises(kp.InvalidInput, match="order"):
+        kp.SeriesMotion(kp.Pendulum(1.0), kp.Launch.apsides(0.2, 0.1), order=order)  # pyright: ignore[reportArgumentType]

@@ -93,8 +93,8 @@ class IntegratedMotion(ABC):
             )
             if end is not None and self.shape == ():
                 raise InvalidInput(
-                    f"{type(self).__name__} ends at {end:.6g} s, where the bob reaches the height of "
-                    f"the support; asked for are times from {times.min():.6g} s to "
+                    f"{type(self).__name__} ends at {end:.6g} s, where the bob reaches the height "
+                    f"of the support; asked for are times from {times.min():.6g} s to "
                     f"{times.max():.6g} s. Keep to its span, or use ExactMotion."
                 )
         return rows.reshape(*self.shape, *times.shape, 3)

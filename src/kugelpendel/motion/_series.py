@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import final
 
 import numpy as np
@@ -18,8 +19,10 @@ class SeriesMotion(HarmonicMotion):
     What is left out is of relative order (a/l)^(n+2); semi-axes are the launch's exact turning
     radii, z lies on the sphere.
 
-    Raises InvalidInput for an order that is odd or out of range, and where the path rises above the
-    support; in an ensemble such a case is NaN. Source: `kugelpendel.series`.
+    Warns (UserWarning) with the expected error where frequency or precession are wrong by more than
+    1 %; see `expected`. Raises InvalidInput for an order that is odd or out of range, and where the
+    path rises above the support; in an ensemble such a case is NaN.
+    Source: `kugelpendel.series`.
     """
 
     def __init__(self, pendulum: Pendulum, launch: Launch, order: int = 6):
@@ -31,6 +34,14 @@ class SeriesMotion(HarmonicMotion):
             )
         self._order = int(order)
         super().__init__(pendulum, launch)
+        self._expected = series.trusted(*self._relative(), self._order)
+        if self._expected.warning is not None:
+            warnings.warn(self._expected.warning, stacklevel=2)
+
+    @property
+    def expected(self) -> series.Trust:
+        """How wrong the motion is expected to be, from the terms left out."""
+        return self._expected
 
     @property
     def order(self) -> int:
