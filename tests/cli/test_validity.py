@@ -90,3 +90,9 @@ def test_folder_in_the_way_of_the_figure(call) -> None:
     outcome = call("validity", "--out", "map.png")
     assert outcome.code == 2
     assert "map.png is a folder" in outcome.err
+
+
+def test_run_says_the_same(call, write) -> None:
+    results = call("run", write(), "--json").results
+    said = results["formula_25"]["difference_percent"]
+    assert said == pytest.approx(100 * kp.validity(0.2, 0.1, 1.0).formula_25, abs=1e-12)

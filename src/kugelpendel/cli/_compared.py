@@ -10,7 +10,6 @@ from kugelpendel.cli._words import describe_launch, describe_pendulum, minus
 from kugelpendel.plot import significant, spell, spell_percent, spell_rate
 
 if TYPE_CHECKING:
-    from rich.console import Console
     from rich.table import Table
 
     import kugelpendel as kp
@@ -31,24 +30,26 @@ def print_comparison(job: Job, comparison: kp.Comparison) -> None:
     swings = duration * frequency / (2 * math.pi)
     count = f", {significant(swings, 3)} swings" if frequency > 0 else ""
     precession = minus(spell_rate(float(exact.precession), 7)) if exact.precession else "0"
-    console = terminal()
     for name, text in (
         ("Pendulum", describe_pendulum(job.pendulum, job.has_mass)),
         ("Launch", describe_launch(job)),
         ("Compared", f"over {spell(duration, 's')}{count}, with the exact motion:"),
         ("", f"frequency {frequency:.7g} rad/s, precession {precession}"),
     ):
-        console.print(f"{name:<19}{text}".rstrip(), markup=False)
-    console.print()
-    console.print(_errors(comparison))
-    console.print(_sentences(comparison))
+        print(f"{name:<19}{text}".rstrip())
+    print_table(_errors(comparison))
+    print_table(_sentences(comparison))
 
 
-def terminal() -> Console:
-    """Standard output; as wide as the terminal, or 100 columns where there is none."""
+def print_table(table: Table) -> None:
+    """Print it after a blank line, as wide as the terminal, or 100 columns where there is none."""
     from rich.console import Console
 
-    return Console(highlight=False, width=None if sys.stdout.isatty() else WIDTH)
+    console = Console(highlight=False, width=None if sys.stdout.isatty() else WIDTH)
+    with console.capture() as captured:
+        console.print(table)
+    lines = [line.rstrip() for line in captured.get().splitlines()]
+    print("\n" + "\n".join(line for line in lines if line))
 
 
 def plain_table(*columns: str, text: int = 1) -> Table:

@@ -8,7 +8,7 @@ import numpy as np
 
 import kugelpendel as kp
 from kugelpendel import plot
-from kugelpendel.cli._compared import plain_table, terminal
+from kugelpendel.cli._compared import plain_table, print_table
 from kugelpendel.cli._folder import staged
 from kugelpendel.cli._quantity import LENGTH, read_quantity
 from kugelpendel.cli._words import given
@@ -57,11 +57,11 @@ def validity(length: str | None, a: str | None, b: str | None, picture: Path | N
     if picture is not None:
         with staged(picture.parent, (picture.name,)) as temporary:
             plot.save(plot.validity(errors, mark, name), temporary / picture.name)
-    console = terminal()
-    for part in parts:
-        console.print(part)
+    lines, table = parts
+    print("\n".join(lines))
+    print_table(table)
     if picture is not None:
-        print(f"In {picture}: the map")
+        print(f"\nIn {picture}: the map")
 
 
 def _ellipse(length: str | None, a: str | None, b: str | None) -> tuple[float, float, float]:
@@ -87,7 +87,7 @@ def _name(a: float, b: float, length: float) -> str:
     return f"{given(a, 'm')} by {given(abs(b), 'm')} on {given(length, 'm')}"
 
 
-def _for_one(a: float, b: float, length: float) -> list[Table | str]:
+def _for_one(a: float, b: float, length: float) -> tuple[list[str], Table]:
     found = kp.validity(a, b, length)
     table = plain_table("Relative errors", "Precession", "Frequency")
     lines = [f"{_name(a, b, length)}: formula (25) is good to {_good(found.formula_25)}"]
@@ -97,7 +97,7 @@ def _for_one(a: float, b: float, length: float) -> list[Table | str]:
     table.add_row("formulas (25), (26)", *formulas)
     for order, pair in found.series.items():
         table.add_row(f"series, order {order}", *(spell_percent(float(error)) for error in pair))
-    return [*lines, "", table]
+    return lines, table
 
 
 def _good(error: Scalars) -> str:
@@ -105,7 +105,7 @@ def _good(error: Scalars) -> str:
     return f"{significant(100 * size, 2)} %" if size > 5e-15 else "the last digit"
 
 
-def _reaches(errors: kp.ValidityMap) -> list[Table | str]:
+def _reaches(errors: kp.ValidityMap) -> tuple[list[str], Table]:
     levels = [f"{100 * level:g} %" for level in LEVELS]
     table = plain_table("Largest a/l for an error of", *levels)
     found = errors.errors
@@ -117,10 +117,8 @@ def _reaches(errors: kp.ValidityMap) -> list[Table | str]:
     ]
     for name, error in rows:
         table.add_row(name, *(_reach(errors, error, level) for level in LEVELS))
-    return [
-        table,
-        "For ellipses of any width, |b| ≤ a; a and b are the exact turning radii, l the length.",
-    ]
+    lines = ["Ellipses of any width: turning radii a and b ≤ a below the support, length l."]
+    return lines, table
 
 
 def _reach(errors: kp.ValidityMap, error: Scalars, level: float) -> str:
