@@ -13,7 +13,7 @@ import sys
 import time
 from pathlib import Path
 
-TOPICS = ("sampling", "scattered", "ensembles", "peers", "startup")
+TOPICS = ("sampling", "scattered", "ensembles", "ladder", "series", "peers", "startup")
 THREADS = (
     "RAYON_NUM_THREADS",
     "OMP_NUM_THREADS",

@@ -1,17 +1,41 @@
+from . import series as series
+from .motion import CubicMotion as CubicMotion
 from .motion import ExactMotion as ExactMotion
+from .motion import LinearMotion as LinearMotion
+from .motion import OlssonMotion as OlssonMotion
+from .motion import PlaneMotion as PlaneMotion
+from .motion import SeriesMotion as SeriesMotion
 from .motion import Spectrum as Spectrum
+from .observables import Comparison as Comparison
+from .observables import Validity as Validity
+from .observables import ValidityMap as ValidityMap
+from .observables import compare as compare
 from .observables import precession_rate as precession_rate
 from .observables import swing_frequency as swing_frequency
+from .observables import validity as validity
+from .observables import validity_map as validity_map
 from .parameters import InvalidInput as InvalidInput
 from .parameters import Launch as Launch
 from .parameters import Pendulum as Pendulum
 
 __all__ = [
+    "Comparison",
+    "CubicMotion",
     "ExactMotion",
     "InvalidInput",
     "Launch",
+    "LinearMotion",
+    "OlssonMotion",
     "Pendulum",
+    "PlaneMotion",
+    "SeriesMotion",
     "Spectrum",
+    "Validity",
+    "ValidityMap",
+    "compare",
     "precession_rate",
+    "series",
     "swing_frequency",
+    "validity",
+    "validity_map",
 ]

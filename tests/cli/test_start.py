@@ -9,7 +9,17 @@ import pytest
 HEAVY = {"numpy", "pint", "matplotlib", "xarray", "pandas", "pyarrow", "h5netcdf", "rich", "scipy"}
 
 
-@pytest.mark.parametrize("arguments", [["--help"], ["run", "--help"], ["--version"], []])
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["--help"],
+        ["run", "--help"],
+        ["compare", "--help"],
+        ["validity", "--help"],
+        ["--version"],
+        [],
+    ],
+)
 def test_nothing_heavy_is_imported(arguments: list[str]) -> None:
     program = (
         "import sys\n"

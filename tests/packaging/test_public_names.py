@@ -9,7 +9,7 @@ import kugelpendel
 def test_all_is_sorted_and_every_name_is_there() -> None:
     assert list(kugelpendel.__all__) == sorted(kugelpendel.__all__)
     for name in kugelpendel.__all__:
-        assert getattr(kugelpendel, name).__name__ == name
+        assert getattr(kugelpendel, name).__name__.removeprefix("kugelpendel.") == name
 
 
 def test_all_is_what_the_stub_imports() -> None:

@@ -1,8 +1,11 @@
 //! Python bindings of the `kugelpendel` crate: flat arrays in, flat arrays out. Shapes, names and units are the Python
 //! side's business.
 
-use kugelpendel::{Ensemble, ExactMotion, Harmonic, Launch, Pendulum, Quantity, Times};
-use numpy::{Complex64, IntoPyArray, PyArray1, PyArrayMethods, PyReadonlyArray1};
+use kugelpendel::{
+    Ensemble, Equation, ExactMotion, Harmonic, HarmonicMotion, IntegratedMotion, Launch, MAX_POWER, Pendulum, Quantity,
+    Times,
+};
+use numpy::{Complex64, IntoPyArray, PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -129,6 +132,10 @@ impl ExactMotions {
         self.each(py, |motion| [motion.apsis_time()])
     }
 
+    fn apsis_azimuth<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        self.each(py, |motion| [motion.apsis_azimuth()])
+    }
+
     fn energy<'py>(&self, py: Python<'py>) -> Numbers<'py> {
         self.each(py, |motion| [motion.energy()])
     }
@@ -186,14 +193,9 @@ impl ExactMotions {
         Ok(self.filled(py, 3 * times.len(), |out| self.ensemble.fill(quantity, Times::Scattered(times), out)))
     }
 
-    /// A new array with `width` numbers for each motion, filled without holding the interpreter.
-    fn filled<'py>(&self, py: Python<'py>, width: usize, fill: impl Fn(&mut [f64]) + Send + Sync) -> Numbers<'py> {
-        // SAFETY: every element is written by `fill` before anyone else sees the array.
-        let array = unsafe { PyArray1::<f64>::new(py, width * self.ensemble.len(), false) };
-        // SAFETY: nobody else has the array yet.
-        let out = unsafe { array.as_slice_mut() }.unwrap_or_default();
-        py.detach(|| fill(out));
-        array
+    /// A new array with `width` numbers for each motion.
+    fn filled<'py>(&self, py: Python<'py>, width: usize, fill: impl FnOnce(&mut [f64]) + Send) -> Numbers<'py> {
+        new_array(py, width * self.ensemble.len(), fill)
     }
 
     fn each<'py, const N: usize>(&self, py: Python<'py>, quantity: impl Fn(&ExactMotion) -> [f64; N]) -> Numbers<'py> {
@@ -208,6 +210,108 @@ fn columns<'py>(py: Python<'py>, harmonics: &[Harmonic]) -> Harmonics<'py> {
     (order.into_pyarray(py), frequency.into_pyarray(py), amplitude.into_pyarray(py))
 }
 
+/// Turning figures of a few harmonics in a row.
+#[pyclass(frozen, module = "kugelpendel._core")]
+struct HarmonicMotions {
+    motions: Vec<HarmonicMotion>,
+}
+
+#[pymethods]
+impl HarmonicMotions {
+    /// `rows`: length, frequency, precession, apsis time and azimuth, then the powers of the inner and of the outer part.
+    #[new]
+    fn new(rows: PyReadonlyArray2<'_, f64>) -> PyResult<Self> {
+        const WIDTH: usize = 5 + 2 * (MAX_POWER + 1);
+        let rows = rows.as_array();
+        if rows.ncols() != WIDTH {
+            return Err(PyValueError::new_err(format!("a row takes {WIDTH} numbers, not {}", rows.ncols())));
+        }
+        let motions = rows.rows().into_iter().map(|row| HarmonicMotion {
+            length: row[0],
+            frequency: row[1],
+            precession: row[2],
+            apsis_time: row[3],
+            apsis_azimuth: row[4],
+            inner: std::array::from_fn(|k| row[5 + k]),
+            outer: std::array::from_fn(|k| row[5 + MAX_POWER + 1 + k]),
+        });
+        Ok(Self { motions: motions.collect() })
+    }
+
+    fn position<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {
+        let times = times.as_slice()?;
+        Ok(self.filled(py, times.len(), Quantity::Position, Times::Scattered(times)))
+    }
+
+    fn velocity<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {
+        let times = times.as_slice()?;
+        Ok(self.filled(py, times.len(), Quantity::Velocity, Times::Scattered(times)))
+    }
+
+    fn sample<'py>(&self, py: Python<'py>, start: f64, step: f64, count: usize) -> Numbers<'py> {
+        self.filled(py, count, Quantity::Position, Times::Grid { start, step, first: 0 })
+    }
+}
+
+impl HarmonicMotions {
+    fn filled<'py>(&self, py: Python<'py>, count: usize, quantity: Quantity, times: Times<'_>) -> Numbers<'py> {
+        new_array(py, 3 * count * self.motions.len(), |out| {
+            if count > 0 {
+                for (motion, row) in self.motions.iter().zip(out.chunks_exact_mut(3 * count)) {
+                    motion.fill(quantity, times, row);
+                }
+            }
+        })
+    }
+}
+
+/// Positions (or velocities) by one of the paper's equations from one launch, or the time at which it ends.
+#[pyfunction]
+#[pyo3(signature = (pendulum, equation, launch, times, velocity))]
+fn integrated<'py>(
+    py: Python<'py>,
+    pendulum: [f64; 3],
+    equation: &str,
+    launch: [f64; 4],
+    times: PyReadonlyArray1<'py, f64>,
+    velocity: bool,
+) -> PyResult<(Numbers<'py>, Option<f64>)> {
+    let motion = integrated_motion(pendulum, equation, launch)?;
+    let quantity = if velocity { Quantity::Velocity } else { Quantity::Position };
+    let (times, mut end) = (times.as_slice()?, None);
+    let array = new_array(py, 3 * times.len(), |out| {
+        out.fill(f64::NAN);
+        end = motion.fill(quantity, times, out).err();
+    });
+    Ok((array, end))
+}
+
+/// The times between which such a motion holds, if it ends within `period`.
+#[pyfunction]
+fn integrated_span(pendulum: [f64; 3], equation: &str, launch: [f64; 4], period: f64) -> PyResult<[f64; 2]> {
+    Ok(integrated_motion(pendulum, equation, launch)?.span(period))
+}
+
+fn integrated_motion(pendulum: [f64; 3], equation: &str, launch: [f64; 4]) -> PyResult<IntegratedMotion> {
+    let [length, gravity, mass] = pendulum;
+    let equation = match equation {
+        "plane" => Equation::Plane,
+        "cubic" => Equation::Cubic,
+        _ => return Err(PyValueError::new_err(format!("there is no equation {equation:?}"))),
+    };
+    Ok(IntegratedMotion { pendulum: Pendulum { length, gravity, mass }, equation, launch })
+}
+
+/// A new array, filled without holding the interpreter.
+fn new_array<'py>(py: Python<'py>, size: usize, fill: impl FnOnce(&mut [f64]) + Send) -> Numbers<'py> {
+    // SAFETY: every element is written by `fill` before anyone else sees the array.
+    let array = unsafe { PyArray1::<f64>::new(py, size, false) };
+    // SAFETY: nobody else has the array yet.
+    let out = unsafe { array.as_slice_mut() }.unwrap_or_default();
+    py.detach(|| fill(out));
+    array
+}
+
 /// The sentence that says what is wrong with a pendulum, if anything is.
 #[pyfunction]
 fn pendulum_problem(length: f64, gravity: f64, mass: f64) -> Option<String> {
@@ -218,5 +322,5 @@ fn pendulum_problem(length: f64, gravity: f64, mass: f64) -> Option<String> {
 #[pymodule]
 mod _core {
     #[pymodule_export]
-    use super::{ExactMotions, pendulum_problem};
+    use super::{ExactMotions, HarmonicMotions, integrated, integrated_span, pendulum_problem};
 }

@@ -5,6 +5,7 @@ use crate::double_double::{Dd, Pair, two_sum};
 use crate::elliptic::Ladder;
 use crate::exact::ExactMotion;
 use crate::invariants::Invariants;
+use crate::times::{Quantity, Times};
 use std::f64::consts::PI;
 
 /// How far along the swing the motion is, given the time.
@@ -80,5 +81,16 @@ impl ExactMotion {
             Clock::Once { .. } => f64::INFINITY,
             Clock::Periodic { start, .. } => ((0.5 - start.hi) - start.lo) * self.radial_period(),
         }
+    }
+
+    /// Azimuth at that time, rad in (−π, π]; 0 where there is none.
+    pub fn apsis_azimuth(&self) -> f64 {
+        let time = self.apsis_time();
+        if !time.is_finite() {
+            return 0.0;
+        }
+        let mut place = [0.0; 3];
+        self.fill(Quantity::Position, Times::Scattered(&[time]), &mut place);
+        place[1].atan2(place[0])
     }
 }

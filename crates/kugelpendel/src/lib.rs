@@ -14,17 +14,21 @@
 // Reading order. What is given: pendulum, launch (→ state). What follows from it: invariants (cubic, zeta; block for
 // many), exact (their names in SI), tension. How it moves: clock (phase), chart (trigonometric or hyperbolic, of
 // elliptic's arguments, both made of shape), spectrum. Many times and many motions: times, rotations, plan, series,
-// sampling, ensemble. Underneath: arithmetic, double_double, turns, invalid.
+// sampling, ensemble, blocks. The paper's approximations: harmonic; equations, taylor, integrated. Underneath: arithmetic, double_double, turns, invalid.
 mod arithmetic;
 mod block;
+mod blocks;
 mod chart;
 mod clock;
 mod cubic;
 mod double_double;
 mod elliptic;
 mod ensemble;
+mod equations;
 mod exact;
+mod harmonic;
 mod hyperbolic;
+mod integrated;
 mod invalid;
 mod invariants;
 mod launch;
@@ -35,6 +39,7 @@ mod sampling;
 mod series;
 mod shape;
 mod spectrum;
+mod taylor;
 mod tension;
 mod times;
 mod trigonometric;
@@ -46,7 +51,10 @@ mod tests;
 
 pub use arithmetic::fused;
 pub use ensemble::Ensemble;
+pub use equations::Equation;
 pub use exact::ExactMotion;
+pub use harmonic::{HarmonicMotion, MAX_POWER, Powers};
+pub use integrated::IntegratedMotion;
 pub use invalid::Invalid;
 pub use launch::{Launch, TOLERANCE};
 pub use pendulum::Pendulum;

@@ -31,18 +31,19 @@ impl ExactMotion {
             assert_eq!(3 * times.len(), out.len(), "three numbers to a time");
         }
         let plan = Plan::new(self, &times);
-        #[cfg(feature = "threads")]
-        {
-            use rayon::prelude::*;
-            if out.len() > 3 * TASK {
-                out.par_chunks_mut(3 * TASK)
-                    .enumerate()
-                    .for_each(|(task, part)| fill_part(&plan, quantity, times.from(task * TASK), part));
-                return;
-            }
-        }
-        fill_part(&plan, quantity, times, out);
+        in_tasks(times, out, |times, out| fill_part(&plan, quantity, times, out));
     }
+}
+
+/// Cuts a large request into tasks for the threads there are.
+pub(crate) fn in_tasks(times: Times<'_>, out: &mut [f64], fill: impl Fn(Times<'_>, &mut [f64]) + Sync) {
+    #[cfg(feature = "threads")]
+    if out.len() > 3 * TASK {
+        use rayon::prelude::*;
+        let parts = out.par_chunks_mut(3 * TASK).enumerate();
+        return parts.for_each(|(task, part)| fill(times.from(task * TASK), part));
+    }
+    fill(times, out);
 }
 
 dispatch! {

@@ -70,16 +70,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _run(given: argparse.Namespace) -> int:
     try:
         from kugelpendel import InvalidInput
-        from kugelpendel.cli._run import run
     except ImportError as missing:
-        return _refuse(_not_installed(missing))
+        return _refuse(_not_installed(missing, given.command))
     try:
-        run(given.file, given.out, given.json, given.format)
+        _COMMANDS[given.command](given)
         sys.stdout.flush()
     except InvalidInput as error:
         return _refuse(str(error))
     except ImportError as missing:
-        return _refuse(_not_installed(missing))
+        return _refuse(_not_installed(missing, given.command))
     except KeyboardInterrupt:
         print("kugelpendel: interrupted; no file is left half-written.", file=sys.stderr)
         return _INTERRUPTED
@@ -89,9 +88,30 @@ def _run(given: argparse.Namespace) -> int:
     return 0
 
 
-def _not_installed(missing: ImportError) -> str:
+def _do_run(given: argparse.Namespace) -> None:
+    from kugelpendel.cli._run import run
+
+    run(given.file, given.out, given.json, given.format)
+
+
+def _do_compare(given: argparse.Namespace) -> None:
+    from kugelpendel.cli._compare import compare
+
+    compare(given.file, given.out, given.json)
+
+
+def _do_validity(given: argparse.Namespace) -> None:
+    from kugelpendel.cli._validity import validity
+
+    validity(given.length, given.a, given.b, given.out)
+
+
+_COMMANDS = {"run": _do_run, "compare": _do_compare, "validity": _do_validity}
+
+
+def _not_installed(missing: ImportError, command: str) -> str:
     return (
-        f"{missing.name or missing} is not installed, and `kugelpendel run` needs it: "
+        f"{missing.name or missing} is not installed, and `kugelpendel {command}` needs it: "
         "python -m pip install 'kugelpendel[run]'"
     )
 
@@ -120,17 +140,43 @@ def _parser() -> argparse.ArgumentParser:
         epilog=_EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    run.add_argument("file", type=Path, metavar="FILE.toml", help="the job")
+    _takes_a_job(run)
     run.add_argument(
+        "--format", choices=("csv", "netcdf", "parquet"), help="format of the track (default: csv)"
+    )
+    compare = commands.add_parser(
+        "compare",
+        help="compare the paper's motions with the exact one",
+        description="Print how far every motion goes astray, and write a figure and the results.",
+        epilog=_EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    _takes_a_job(compare)
+    validity = commands.add_parser(
+        "validity",
+        help="say how good the formulas for small ellipses are",
+        description="Print the errors of (25), (26) and of the series of each order, for one "
+        "pendulum or for all. Lengths have a unit or are in m.",
+    )
+    validity.add_argument("--length", metavar="LENGTH", help='of the pendulum, such as "67 m"')
+    validity.add_argument("--a", metavar="LENGTH", help="outer turning radius")
+    validity.add_argument(
+        "--b", metavar="LENGTH", help="inner turning radius (default: the limit b = 0)"
+    )
+    validity.add_argument(
+        "--out", type=Path, metavar="FILE.png", help="draw the map; .svg and .pdf do as well"
+    )
+    return parser
+
+
+def _takes_a_job(command: argparse.ArgumentParser) -> None:
+    command.add_argument("file", type=Path, metavar="FILE.toml", help="the job")
+    command.add_argument(
         "--out",
         type=Path,
         metavar="DIR",
         help="folder for the files (default: out/JOB)",
     )
-    run.add_argument(
+    command.add_argument(
         "--json", action="store_true", help="print the results as JSON, and nothing else, on stdout"
     )
-    run.add_argument(
-        "--format", choices=("csv", "netcdf", "parquet"), help="format of the track (default: csv)"
-    )
-    return parser

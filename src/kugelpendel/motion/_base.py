@@ -32,6 +32,11 @@ class Motion(Protocol):
         """First and last time, s, for which the motion can be asked."""
         ...
 
+    @property
+    def trust(self) -> str:
+        """A sentence: where the motion holds."""
+        ...
+
     def position(self, t: ArrayLike) -> Numbers:
         """In m, z down from the support: shape (*shape, *t.shape, 3)."""
         ...

@@ -101,6 +101,11 @@ class ExactMotion:
             sentences[index] = sentence
         return np.array(sentences, dtype=np.str_).reshape(self._shape)
 
+    @property
+    def trust(self) -> str:
+        """Where the motion holds."""
+        return "Everywhere and for ever, as far as the inputs are known."
+
     def position(self, t: ArrayLike) -> Numbers:
         """Position from the support, m, z down: shape (*shape, *t.shape, 3).
 
@@ -173,6 +178,11 @@ class ExactMotion:
     def apsis_time(self) -> Scalars:
         """First time ≥ 0 at a highest turning point, s; infinite on the separatrix."""
         return self._scalars(self._motions.apsis_time())
+
+    @cached_property
+    def apsis_azimuth(self) -> Scalars:
+        """Azimuth at that time, rad in (−π, π]; 0 on the separatrix and at rest."""
+        return self._scalars(self._motions.apsis_azimuth())
 
     @cached_property
     def energy(self) -> Scalars:

@@ -1,3 +1,4 @@
+from ._compared import compared as compared
 from ._constants import Constants as Constants
 from ._overview import overview as overview
 from ._overview import save as save
@@ -8,10 +9,14 @@ from ._units import spell as spell
 from ._units import spell_percent as spell_percent
 from ._units import spell_rate as spell_rate
 from ._units import unit_for as unit_for
+from ._validity import LEVELS as LEVELS
+from ._validity import validity as validity
 
 __all__ = [
+    "LEVELS",
     "Constants",
     "Unit",
+    "compared",
     "overview",
     "save",
     "significant",
@@ -20,4 +25,5 @@ __all__ = [
     "spell_rate",
     "turning_rate",
     "unit_for",
+    "validity",
 ]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
 import numpy as np
@@ -14,6 +14,7 @@ from kugelpendel.plot._units import unit_for
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.typing import RcKeyType
     from numpy.typing import NDArray
 
 OUTER = "#b8443a"
@@ -25,6 +26,23 @@ TEXT = "#22262e"
 TIME = LinearSegmentedColormap.from_list(
     "viridis on white", mpl.colormaps["viridis"](np.linspace(0.0, 0.92, 256))
 )
+
+STYLE: dict[RcKeyType, Any] = {
+    "font.size": 10,
+    "axes.titlesize": 11,
+    "axes.titleweight": "bold",
+    "axes.labelcolor": TEXT,
+    "axes.edgecolor": QUIET,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.unicode_minus": True,
+    "axes.formatter.useoffset": False,
+    "axes.formatter.limits": (-4, 5),
+    "legend.fontsize": 9,
+    "svg.hashsalt": "kugelpendel",
+    "svg.fonttype": "none",
+}
+"""What every figure of this package is drawn with."""
 
 _COLOURS = 128
 """Lengths of one colour along the path: enough to look continuous, few enough for a small SVG."""

@@ -4,7 +4,7 @@
 # pyright: reportUnknownMemberType=false
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import matplotlib as mpl
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -21,25 +21,7 @@ from kugelpendel.plot._side import draw_side
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from matplotlib.typing import RcKeyType
-
     from kugelpendel import ExactMotion
-
-_STYLE: dict[RcKeyType, Any] = {
-    "font.size": 10,
-    "axes.titlesize": 11,
-    "axes.titleweight": "bold",
-    "axes.labelcolor": _ink.TEXT,
-    "axes.edgecolor": _ink.QUIET,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.unicode_minus": True,
-    "axes.formatter.useoffset": False,
-    "axes.formatter.limits": (-4, 5),
-    "legend.fontsize": 9,
-    "svg.hashsalt": "kugelpendel",
-    "svg.fonttype": "none",
-}
 
 
 def overview(
@@ -68,7 +50,7 @@ def overview(
     InvalidInput
         For an ensemble.
     """
-    with mpl.rc_context(_STYLE):
+    with mpl.rc_context(_ink.STYLE):
         path = visible_path(motion, duration)
         narrow = is_narrow(path)
         engine = ConstrainedLayoutEngine(w_pad=0.12, h_pad=0.1)
@@ -104,5 +86,5 @@ def save(figure: Figure, path: Path | str) -> None:
     The same figure gives the same file, byte for byte, with the same version of matplotlib.
     """
     metadata = {"Date": None} if str(path).endswith(".svg") else None
-    with mpl.rc_context(_STYLE):
+    with mpl.rc_context(_ink.STYLE):
         figure.savefig(path, metadata=metadata)

@@ -1,0 +1,93 @@
+"""The turning ellipse with its harmonics, to any order of the series."""
+
+from __future__ import annotations
+
+import warnings
+from typing import final
+
+import numpy as np
+
+from .. import series
+from ..parameters import InvalidInput, Launch, Numbers, Pendulum
+from ._harmonic import POWERS, HarmonicMotion
+
+
+@final
+class SeriesMotion(HarmonicMotion):
+    """The paper's ansatz carried on: frequency, precession and harmonics to order n = 2, 4, …, 12.
+
+    What is left out is of relative order (a/l)^(n+2); semi-axes are the launch's exact turning
+    radii, z lies on the sphere.
+
+    Warns (UserWarning) with the expected error where frequency or precession are wrong by more than
+    1 %; see `expected`. Raises InvalidInput for an order that is odd or out of range, and where the
+    path rises above the support; in an ensemble such a case is NaN.
+    Source: `kugelpendel.series`.
+    """
+
+    def __init__(self, pendulum: Pendulum, launch: Launch, order: int = 6):
+        series.frequency(order)  # raises for an order that makes no sense
+        if order > (limit := 2 * (POWERS - 1)):
+            raise InvalidInput(
+                f"The order of a SeriesMotion can be {limit} at most, but it is {order}; use "
+                f"order={limit}, or ExactMotion, which is right at every amplitude."
+            )
+        self._order = int(order)
+        super().__init__(pendulum, launch)
+        self._expected = series.trusted(*self._relative(), self._order)
+        if self._expected.warning is not None:
+            warnings.warn(self._expected.warning, stacklevel=2)
+
+    @property
+    def expected(self) -> series.Trust:
+        """How wrong the motion is expected to be, from the terms left out."""
+        return self._expected
+
+    @property
+    def order(self) -> int:
+        """Highest power of a/l and b/l together in the frequency."""
+        return self._order
+
+    def __reduce__(self) -> tuple[type[SeriesMotion], tuple[Pendulum, Launch, int]]:
+        return (SeriesMotion, (self.pendulum, self.launch, self._order))
+
+    def _rates(self) -> tuple[Numbers, Numbers]:
+        omega0 = self.pendulum.angular_frequency
+        alpha, beta = self._relative()
+        return (
+            np.asarray(omega0 * series.frequency(self._order)(alpha, beta)),
+            np.asarray(omega0 * series.precession(self._order)(alpha, beta)),
+        )
+
+    def _figure(self) -> tuple[Numbers, Numbers]:
+        alpha, beta = self._relative()
+        plan = series.harmonics(self._order).plan
+        inner, outer = np.zeros((2, *self.shape, POWERS))
+        # cos nζ = cos ζ·p(σ), sin nζ = sin ζ·q(σ) for odd n, σ = sin² ζ, and for p and for q alike
+        # p_{n+2} = (2 − 4σ) p_n − p_{n−2}.
+        cos, sin = np.zeros((2, 2, POWERS))
+        cos[:, 0], sin[:, 0] = 1.0, (-1.0, 1.0)
+        # The series counts from a highest point, the figure from a lowest: a factor i^{n−1}.
+        for n in range(1, max(plan) + 1, 2):
+            sign = 1.0 if n % 4 == 1 else -1.0
+            ahead = np.asarray(plan[n](alpha, beta))[..., np.newaxis] if n in plan else 0.0
+            back = np.asarray(plan[-n](alpha, beta))[..., np.newaxis] if -n in plan else 0.0
+            inner += sign * (ahead - back) * cos[1]
+            outer += sign * (ahead + back) * sin[1]
+            cos, sin = (
+                np.stack([p[1], 2 * p[1] - 4 * np.append(0.0, p[1][:-1]) - p[0]])
+                for p in (cos, sin)
+            )
+        length = np.asarray(self.pendulum.length)[..., np.newaxis]
+        return length * inner, length * outer
+
+    def _relative(self) -> tuple[Numbers, Numbers]:
+        return self._outer / self.pendulum.length, self._inner / self.pendulum.length
+
+    @property
+    def trust(self) -> str:
+        """Where the motion holds."""
+        return (
+            f"Ellipses well below the support: what is left out is of relative order "
+            f"(a/l)^{self._order + 2}; see series.trusted."
+        )

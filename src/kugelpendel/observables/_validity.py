@@ -1,0 +1,151 @@
+"""How good the formulas for small ellipses are: their errors against the exact motion."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .. import series
+from ..motion import ExactMotion
+from ..parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars, as_numbers
+from ._olsson import precession_rate, swing_frequency
+
+ORDERS = (2, 4, 6, 8, 10, 12)
+"""Orders of the series that are judged."""
+
+_NARROW = 1e-12
+"""b/a of an ellipse that stands for the limit b → 0: what is left of it is of order 1e-24."""
+
+_TINY = 1e-9
+"""a/l below which every error is smaller than 1e-17 and only rounding would be shown."""
+
+_MOST = 4000
+"""Points along one side of a map: 16 million motions, of some 5 GB."""
+
+
+class SeriesErrors(NamedTuple):
+    """Relative errors of the series of one order, signed: approximate over exact, less 1."""
+
+    precession: Scalars
+    frequency: Scalars
+
+
+@dataclass(frozen=True)
+class Validity:
+    """Relative errors, signed: approximate over exact, less 1.
+
+    Attributes
+    ----------
+    formula_25
+        Of the precession by Olsson's (25); 0.003 is 0.3 %.
+    formula_26
+        Of the frequency by (26).
+    series
+        Of precession and frequency by the series, by its order: 2, 4, … 12. That of order 2 is
+        (25), and (26) but for its square root.
+    """
+
+    formula_25: Scalars
+    formula_26: Scalars
+    series: Mapping[int, SeriesErrors]
+
+
+@dataclass(frozen=True)
+class ValidityMap:
+    """Errors for all ellipses below the support: axis 0 runs along b/a, axis 1 along a/l.
+
+    Attributes
+    ----------
+    a_over_l, b_over_a
+        (n,) arrays; b/a begins with 0, the limit of narrow ellipses, and ends with 1, the cone.
+    errors
+        With arrays of shape (n, n).
+    """
+
+    a_over_l: Numbers
+    b_over_a: Numbers
+    errors: Validity
+
+
+def validity(a: ArrayLike, b: ArrayLike, length: ArrayLike) -> Validity:
+    """How far the formulas for small ellipses are off, for one pendulum or many.
+
+    Parameters
+    ----------
+    a, b
+        m, exact turning radii, |b| ≤ a < length; they broadcast. The sign of b does not matter.
+        For b = 0, where nothing precesses, the errors are the limits b → 0.
+    length
+        m, of the pendulum. Gravity does not matter.
+
+    Returns
+    -------
+    Relative errors, floats or arrays in the common shape; 0 where a is below 1e-9 l.
+
+    Raises
+    ------
+    InvalidInput
+        For a single ellipse that is not finite or does not fit below the support. In arrays a bad
+        case gives NaN.
+
+    Notes
+    -----
+    The exact rates have a relative error of 4e-16, so that much of these is noise. They are no
+    bound for the error of a position, which grows with the time: see `compare`.
+    """
+    pendulum = Pendulum(length)
+    given = as_numbers(a, "The turning radius a", "m"), as_numbers(b, "The turning radius b", "m")
+    # The launch as it was given is what a sentence must be about.
+    exact = ExactMotion(pendulum, Launch.apsides(*given))
+    shape = exact.shape
+    outer = np.asarray(given[0])
+    inner = np.maximum(np.abs(given[1]), _NARROW * outer)
+    alpha, beta = outer / pendulum.length, inner / pendulum.length
+    narrow = np.any(inner != given[1])
+    rates = ExactMotion(pendulum, Launch.apsides(outer, inner)) if narrow else exact
+    small = np.broadcast_to(alpha < _TINY, shape)
+    rest = pendulum.angular_frequency
+
+    def error(approximate: Scalars, truth: Scalars) -> Scalars:
+        with np.errstate(invalid="ignore", divide="ignore"):
+            relative = np.asarray(approximate) / truth - 1
+        good = np.where(small & np.isfinite(np.asarray(exact.frequency)), 0.0, relative)
+        return float(good) if shape == () else good
+
+    with np.errstate(invalid="ignore"):
+        precession, frequency = rates.precession / rest, rates.frequency / rest
+        return Validity(
+            formula_25=error(precession_rate(outer, inner, length), rates.precession),
+            formula_26=error(swing_frequency(outer, inner, length), rates.frequency),
+            series={
+                order: SeriesErrors(
+                    error(series.precession(order)(alpha, beta), precession),
+                    error(series.frequency(order)(alpha, beta), frequency),
+                )
+                for order in ORDERS
+            },
+        )
+
+
+def validity_map(n: int = 400, largest: float = 0.99) -> ValidityMap:
+    """The errors of `validity` for n × n ellipses, of every width and up to a = largest · l.
+
+    Raises
+    ------
+    InvalidInput
+        For n below 2 or above 4000, and largest not between 0 and 1.
+    """
+    if not (isinstance(n, int) and 2 <= n <= _MOST):  # pyright: ignore[reportUnnecessaryIsInstance]
+        raise InvalidInput(f"A map needs a whole number of points, 2 … {_MOST}, but n is {n}.")
+    if not 0 < largest < 1:
+        raise InvalidInput(
+            f"The map's largest a/l must lie between 0 and 1, but it is {largest}: at 1 the bob is "
+            f"at the height of its support."
+        )
+    a = np.arange(1, n + 1, dtype=np.float64) * (largest / n)
+    ratio = np.linspace(0, 1, n)
+    return ValidityMap(a, ratio, validity(a, ratio[:, None] * a, 1.0))

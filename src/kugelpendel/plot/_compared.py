@@ -1,0 +1,161 @@
+"""How far each motion goes astray: errors of position against time, on a logarithmic scale."""
+
+# matplotlib's stubs leave **kwargs untyped.
+# pyright: reportUnknownMemberType=false
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
+from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
+
+from kugelpendel.plot import _ink
+from kugelpendel.plot._units import spell, unit_for
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from numpy.typing import NDArray
+
+    from kugelpendel import Comparison
+
+_LOWEST = 1e-17
+"""What is smaller than this fraction of the amplitude is drawn there."""
+
+_APART = 0.045
+"""Least distance of two labels, as a fraction of the height of the axes."""
+
+_FEW = 3
+"""Up to so many half swings the errors are drawn as they are, of more their largest in each."""
+
+_COLOURS = ("#8a8f98", "#b8443a", "#c98a1b", "#3b7d4f", "#2a6f97", "#6a4c93", "#22262e")
+
+
+def compared(comparison: Comparison, title: str = "") -> Figure:
+    """Draw the error of each motion's position against time, as a fraction of the amplitude.
+
+    Parameters
+    ----------
+    comparison : Comparison
+        Of all motions from one launch; those that do not hold are named below the axes.
+    title : str
+        Above the figure.
+
+    Returns
+    -------
+    Figure
+        Without a window or a global state; `save` writes it.
+    """
+    with mpl.rc_context(_ink.STYLE):
+        figure = Figure(
+            figsize=(9.5, 5.6), layout=ConstrainedLayoutEngine(w_pad=0.12, h_pad=0.1), dpi=130
+        )
+        FigureCanvasAgg(figure)
+        axes = figure.add_subplot()
+        duration = _last_known(comparison)
+        clock = unit_for(duration, "s")
+        scale = comparison.amplitude or 1.0
+        ends: list[tuple[float, str, str]] = []
+        for row, colour in zip(comparison.rows, _cycled(len(comparison.rows)), strict=True):
+            if row.errors is None:
+                continue
+            errors = np.maximum(row.errors / scale, _LOWEST)
+            times, largest = _envelope(comparison, errors)
+            axes.plot(times / clock.size, largest, color=colour, linewidth=1.7)
+            ends.append((float(largest[-1]), f"{row.name}  {row.equation}", colour))
+        axes.set(
+            yscale="log",
+            xlim=(0, duration / clock.size),
+            xlabel=f"time ({clock.symbol})",
+            ylabel=f"error of the position, as a fraction of {spell(scale, 'm')}",
+            title=title or "Errors of position against the exact motion",
+        )
+        low, high = axes.get_ylim()
+        axes.set_ylim(max(low / 2, _LOWEST / 3), min(high * 2, 10))
+        axes.xaxis.set_major_locator(MaxNLocator(8, steps=[1, 2, 2.5, 5, 10]))
+        axes.yaxis.set_major_locator(LogLocator(numticks=12))
+        axes.yaxis.set_minor_formatter(NullFormatter())
+        axes.grid(axis="y", which="major", color=_ink.QUIET, alpha=0.25, linewidth=0.8)
+        _label(axes, ends)
+        missing = [row.name for row in comparison.rows if row.errors is None]
+        if not ends:
+            axes.set_axis_off()
+            says = "Only the exact motion holds for this launch."
+            axes.text(0.5, 0.5, says, transform=axes.transAxes, ha="center", fontsize=11)
+        elif missing:
+            says = f"Not drawn, as they do not hold for this launch: {', '.join(missing)}."
+            figure.supxlabel(says, fontsize=9, color=_ink.TEXT)
+    return figure
+
+
+def _last_known(comparison: Comparison) -> float:
+    """When the last motion ends, or the comparison does, s."""
+    times = comparison.times
+    ends = [times[~np.isnan(row.errors)][-1] for row in comparison.rows if row.errors is not None]
+    return float(max(ends, default=times[-1]))
+
+
+def _cycled(count: int) -> list[str]:
+    return [_COLOURS[k % len(_COLOURS)] for k in range(count)]
+
+
+def _envelope(
+    comparison: Comparison, errors: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The largest error in each half swing, at its middle: within one it goes up and down."""
+    times = comparison.times
+    known = ~np.isnan(errors)
+    times, errors = times[known], errors[known]
+    half_swing = float(comparison.exact.radial_period)
+    bins = math.floor(float(times[-1]) / half_swing) if half_swing < math.inf else 0
+    if bins <= _FEW:
+        return times, errors
+    parts = [part for part in np.array_split(np.arange(len(times)), min(bins, 600)) if part.size]
+    return (
+        np.array([times[part].mean() for part in parts]),
+        np.array([errors[part].max() for part in parts]),
+    )
+
+
+def _label(axes: Axes, ends: list[tuple[float, str, str]]) -> None:
+    """Write each line's name at its right end, moved up or down where two would meet."""
+    low, high = np.log10(axes.get_ylim())
+    ends = sorted(ends)
+    wanted = np.array([(math.log10(value) - low) / (high - low) for value, _, _ in ends])
+    places = _spread(wanted)
+    for (_, text, colour), want, place in zip(ends, wanted, places, strict=True):
+        axes.annotate(
+            text,
+            xy=(1, float(want)),
+            xytext=(1.03, float(place)),
+            xycoords="axes fraction",
+            textcoords="axes fraction",
+            color=colour,
+            fontsize=9.5,
+            va="center",
+            arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.8, "relpos": (0, 0.5)},
+        )
+
+
+def _spread(wanted: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The sorted places, moved as little as it takes to lie `_APART`."""
+    groups: list[list[float]] = []
+    for place in wanted:
+        groups.append([float(place)])
+        while len(groups) > 1:
+            above, below = groups[-1], groups[-2]
+            reach = (len(above) + len(below)) / 2 * _APART
+            if np.mean(above) - np.mean(below) >= reach:
+                break
+            groups[-2:] = [below + above]
+    return np.concatenate(
+        [
+            np.mean(group) + _APART * (np.arange(len(group)) - (len(group) - 1) / 2)
+            for group in groups
+        ]
+        or [np.empty(0)]
+    )

@@ -1,0 +1,164 @@
+"""The map of how good the formulas for small ellipses are, with lines of equal error."""
+
+# matplotlib's stubs leave **kwargs untyped.
+# pyright: reportUnknownMemberType=false
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
+from matplotlib.ticker import FuncFormatter, NullFormatter
+
+from kugelpendel.plot import _ink
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from numpy.typing import NDArray
+
+    from kugelpendel import ValidityMap
+    from kugelpendel.parameters import Scalars
+
+LEVELS = (1e-4, 1e-3, 1e-2, 1e-1)
+"""Relative errors that have a line: 0.01 %, 0.1 %, 1 %, 10 %."""
+
+_FLOOR = 1e-16
+"""Errors of less than that are rounding."""
+
+# From good to bad, light enough for the lines and labels on them.
+_BANDS = ("#dceaf3", "#d3e8d6", "#f7eec8", "#f5d3ac", "#e8ab9f")
+
+
+def validity(
+    errors: ValidityMap, mark: tuple[float, float] | None = None, name: str = ""
+) -> Figure:
+    """Draw how good (25), (26) and the series of each order are, over all ellipses.
+
+    Parameters
+    ----------
+    errors : ValidityMap
+        From `validity_map`.
+    mark : tuple of float or None
+        a/l and b/a of a pendulum to mark.
+    name : str
+        What to call it.
+
+    Returns
+    -------
+    Figure
+        Without a window or a global state; `save` writes it.
+    """
+    series = errors.errors.series
+    with mpl.rc_context(_ink.STYLE):
+        figure = Figure(
+            figsize=(12.5, 10.5), layout=ConstrainedLayoutEngine(w_pad=0.06, h_pad=0.08), dpi=130
+        )
+        FigureCanvasAgg(figure)
+        halves = figure.add_gridspec(2, 1, height_ratios=(1.3, 2))
+        top, bottom = halves[0].subgridspec(1, 2), halves[1].subgridspec(2, len(series))
+        large = (
+            ("Precession by the formula (25)", errors.errors.formula_25),
+            ("Frequency by the formula (26)", errors.errors.formula_26),
+        )
+        for column, (title, error) in enumerate(large):
+            axes = figure.add_subplot(top[0, column])
+            _draw(axes, errors, error, mark, name, large=True)
+            axes.set(title=title, xlabel="a/l")
+            _name_rows(axes, column)
+        for column, (order, pair) in enumerate(series.items()):
+            for line, what in enumerate(("Precession", "Frequency")):
+                axes = figure.add_subplot(bottom[line, column])
+                _draw(axes, errors, pair[line], mark, "", large=False)
+                axes.set_title(f"{what}, order {order}", fontsize=10)
+                _name_rows(axes, column)
+                if line:
+                    axes.set_xlabel("a/l")
+        figure.suptitle(
+            "How good are the formulas for small ellipses?  "
+            "Relative errors; a, b: turning radii, l: length",
+            fontsize=13,
+            color=_ink.TEXT,
+        )
+    return figure
+
+
+def _name_rows(axes: Axes, column: int) -> None:
+    if column:
+        axes.yaxis.set_major_formatter(NullFormatter())
+    else:
+        axes.set_ylabel("b/a")
+
+
+def _spelled(value: float, _: object) -> str:
+    return f"{value:g}"
+
+
+def _draw(
+    axes: Axes,
+    errors: ValidityMap,
+    error: Scalars,
+    mark: tuple[float, float] | None,
+    name: str,
+    *,
+    large: bool,
+) -> None:
+    digits = np.log10(np.maximum(np.abs(error), _FLOOR))
+    levels = np.log10(LEVELS)
+    across, up = errors.a_over_l, errors.b_over_a
+    axes.contourf(
+        across, up, digits, levels=[-20, *levels, 20], colors=_BANDS, antialiased=True, zorder=0
+    )
+    lines = axes.contour(
+        across, up, digits, levels=levels, colors=_ink.TEXT, linewidths=1.1, linestyles="solid"
+    )
+    axes.set(xlim=(0.01 if large else 0.0, float(across[-1])), ylim=(0, 1))
+    if large:
+        axes.set_xscale("log")
+        axes.xaxis.set_major_formatter(FuncFormatter(_spelled))
+        axes.set_xticks([0.01, 0.02, 0.05, 0.1, 0.2, 0.5])
+        axes.xaxis.set_minor_formatter(NullFormatter())
+    else:
+        axes.set_xticks([0, 0.5], ["0", "0.5"])
+        axes.set_xticks([0.25, 0.75], minor=True)
+    places = _places(across, up, digits, levels, large)
+    axes.clabel(
+        lines,
+        fmt={level: f"{100 * 10**level:g} %" for level in levels},
+        fontsize=10 if large else 8,
+        manual=places,
+    )
+    if mark is not None:
+        axes.plot(
+            *mark, "o", markersize=7, color=_ink.OUTER, markeredgecolor="white", clip_on=False
+        )
+        if name:
+            axes.annotate(
+                name,
+                mark,
+                (8, 8),
+                textcoords="offset points",
+                color=_ink.OUTER,
+                bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 1.5},
+            )
+
+
+def _places(
+    across: NDArray[np.float64],
+    up: NDArray[np.float64],
+    digits: NDArray[np.float64],
+    levels: NDArray[np.float64],
+    large: bool,
+) -> list[tuple[float, float]]:
+    """Where the lines are labelled: on one height, or one above the other where they crowd."""
+    found: list[tuple[float, float]] = []
+    for k, level in enumerate(levels):
+        # Errors of the frequency change their sign: there every line has a second branch.
+        for height in (0.5, 0.88) if large else (0.2 + 0.2 * k,):
+            row = round((len(up) - 1) * height)
+            beyond = np.flatnonzero(digits[row] >= level)
+            if beyond.size and 0 < beyond[0] < 0.97 * len(across):
+                found.append((float(across[beyond[0]]), float(up[row])))
+    return found

@@ -1,0 +1,98 @@
+"""``kugelpendel validity``: the map in numbers, one pendulum, the figure, and what is refused."""
+
+from pathlib import Path
+
+import pytest
+
+import kugelpendel as kp
+
+
+def test_all_pendulums(call) -> None:
+    outcome = call("validity")
+    assert outcome.code == 0, outcome.err
+    lines = [line.split() for line in outcome.out.splitlines()]
+    assert ["precession", "by", "(25)", "0.0151", "0.0478", "0.151", "0.467"] in lines
+    assert ["frequency", "by", "(26)", "0.268", "0.464", "0.758", "0.933"] in lines
+    assert sum(line[:2] == ["series,", "order"] for line in lines) == 12
+    # Where the table says 1 %, it is 1 % for the worst width.
+    assert abs(kp.validity(0.151, 0.151, 1.0).formula_25) == pytest.approx(0.01, rel=0.01)
+    assert list(Path.cwd().iterdir()) == []
+
+
+def test_one_pendulum(call) -> None:
+    outcome = call("validity", "--length", "67 m", "--a", "3 m", "--b", "1 cm")
+    assert outcome.code == 0, outcome.err
+    first, *rest = outcome.out.splitlines()
+    assert first == "3 m by 1 cm on 67 m: formula (25) is good to 0.044 %"
+    rows = [line.split() for line in rest]
+    assert ["formulas", "(25),", "(26)", "−0.044", "%", "+7.5e−06", "%"] in rows
+    assert ["series,", "order", "12", "the", "same", "the", "same"] in rows
+
+
+def test_plain_numbers_are_metres_and_the_sense_makes_no_difference(call) -> None:
+    one = call("validity", "--length", "67", "--a", "3", "--b", "0.01").out
+    assert one == call("validity", "--length", "67 m", "--a", "300 cm", "--b=-1 cm").out
+
+
+def test_narrow_ellipse(call) -> None:
+    outcome = call("validity", "--length", "1", "--a", "0.2")
+    assert "Nothing precesses at b = 0" in outcome.out
+    assert "0.89 %" in outcome.out
+
+
+@pytest.mark.parametrize("ending", ["png", "PDF"])
+def test_figure(call, ending: str) -> None:
+    outcome = call("validity", "--length", "1 m", "--a", "0.2", "--out", f"new/map.{ending}")
+    assert outcome.code == 0, outcome.err
+    assert [path.name for path in Path("new").iterdir()] == [f"map.{ending}"]
+    assert Path(f"new/map.{ending}").stat().st_size > 10_000
+    assert outcome.out.endswith(f"In new/map.{ending}: the map\n")
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--a", "3 m"], ["--length is missing", "kugelpendel validity --length"]),
+        (["--length", "3 m"], ["--a is missing"]),
+        (["--b", "3 m"], ["--length is missing"]),
+        (["--length", "nan", "--a", "1"], ["--length", "not a finite number"]),
+        (["--length", "67 m", "--a", "inf m"], ["--a", "not a finite number"]),
+        (["--length", "67 kg", "--a", "1"], ["--length", "not a length"]),
+        (["--length", "67 m", "--a", "wide"], ["--a", "does not start with a number"]),
+        (["--length", "67 m", "--a", "1 furlog"], ["furlog"]),
+        (["--length", "0", "--a", "1"], ["length", "0 m"]),
+        (["--length", "1", "--a", "1"], ["outer turning radius", "1 m"]),
+        (["--length", "1", "--a=-0.1"], ["outer turning radius", "-0.1 m"]),
+        (["--length", "1", "--a", "0.1", "--b", "0.2"], ["0.2 m", "0.1 m"]),
+        (["--out", "map.jpg"], ["map.jpg", ".png", ".svg", ".pdf"]),
+        (["--out", "."], ["must end in"]),
+    ],
+)
+def test_bad_options(call, options: list[str], words: list[str]) -> None:
+    outcome = call("validity", *options, *(["--out", "map.png"] if "--out" not in options else []))
+    assert outcome.code == 2
+    assert outcome.out == ""
+    assert outcome.err.startswith("kugelpendel: ")
+    for word in words:
+        assert word in outcome.err
+    assert list(Path.cwd().iterdir()) == []
+
+
+def test_unknown_option(call, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as leaving:
+        call("validity", "--width", "1")
+    assert leaving.value.code == 2
+    assert "usage: kugelpendel" in capsys.readouterr().err
+
+
+def test_folder_in_the_way_of_the_figure(call) -> None:
+    Path("map.png").mkdir()
+    outcome = call("validity", "--out", "map.png")
+    assert outcome.code == 2
+    assert "map.png is a folder" in outcome.err
+
+
+def test_run_says_the_same(call, write) -> None:
+    results = call("run", write(), "--json").results
+    said = results["formula_25"]["difference_percent"]
+    assert said == pytest.approx(100 * kp.validity(0.2, 0.1, 1.0).formula_25, abs=1e-12)
