@@ -40,13 +40,12 @@ def test_narrow_ellipse(call) -> None:
     assert "0.89 %" in outcome.out
 
 
-@pytest.mark.parametrize("ending", ["png", "PDF"])
-def test_figure(call, ending: str) -> None:
-    outcome = call("validity", "--length", "1 m", "--a", "0.2", "--out", f"new/map.{ending}")
+def test_figure(call) -> None:
+    outcome = call("validity", "--length", "1 m", "--a", "0.2", "--out", "new/map.PNG")
     assert outcome.code == 0, outcome.err
-    assert [path.name for path in Path("new").iterdir()] == [f"map.{ending}"]
-    assert Path(f"new/map.{ending}").stat().st_size > 10_000
-    assert outcome.out.endswith(f"In new/map.{ending}: the map\n")
+    assert [path.name for path in Path("new").iterdir()] == ["map.PNG"]
+    assert Path("new/map.PNG").stat().st_size > 10_000
+    assert outcome.out.endswith("In new/map.PNG: the map\n")
 
 
 @pytest.mark.parametrize(

@@ -171,3 +171,9 @@ def test_ensembles_are_refused() -> None:
 def test_bad_launches_are_refused() -> None:
     with pytest.raises(kp.InvalidInput, match="2 m"):
         kp.compare(UNIT, kp.Launch.apsides(2.0, 0.05))
+
+
+def test_warnings_become_cautions() -> None:
+    comparison = kp.compare(UNIT, kp.Launch.apsides(0.95, 0.5))
+    assert "use a higher order, or ExactMotion" in comparison.row("SeriesMotion(6)").caution
+    assert comparison.row("PlaneMotion").caution == ""

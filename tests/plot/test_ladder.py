@@ -1,7 +1,5 @@
 """The figures of the ladder: errors against time, and the map of the formulas."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from matplotlib.contour import QuadContourSet
@@ -92,10 +90,3 @@ def test_lines_lie_where_the_error_is(validity_map: kp.ValidityMap) -> None:
         a, ratio = vertices[:: max(1, len(vertices) // 20)].T
         error = np.asarray(kp.validity(a, a * ratio, 1.0).formula_25)
         assert_allclose(-error, level, rtol=0.03)  # between points 0.005 apart
-
-
-def test_map_is_always_the_same(tmp_path: Path) -> None:
-    errors = kp.validity_map(n=30)
-    for name in ("one.png", "other.png"):
-        plot.save(plot.validity(errors, (0.1, 0.5)), tmp_path / name)
-    assert (tmp_path / "one.png").read_bytes() == (tmp_path / "other.png").read_bytes()

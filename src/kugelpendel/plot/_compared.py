@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from typing import TYPE_CHECKING
 
 import matplotlib as mpl
@@ -59,6 +60,8 @@ def compared(comparison: Comparison, title: str = "") -> Figure:
         duration = _last_known(comparison)
         clock = unit_for(duration, "s")
         scale = comparison.amplitude or 1.0
+        few = _half_swings(comparison, duration) <= _FEW
+        what = "error of the position" if few else "largest error in a half swing"
         ends: list[tuple[float, str, str]] = []
         for row, colour in zip(comparison.rows, _cycled(len(comparison.rows)), strict=True):
             if row.errors is None:
@@ -71,8 +74,12 @@ def compared(comparison: Comparison, title: str = "") -> Figure:
             yscale="log",
             xlim=(0, duration / clock.size),
             xlabel=f"time ({clock.symbol})",
-            ylabel=f"error of the position, as a fraction of {spell(scale, 'm')}",
-            title=title or "Errors of position against the exact motion",
+            ylabel=f"{what}, as a fraction of {spell(scale, 'm')}",
+        )
+        figure.suptitle(
+            textwrap.fill(title or "Errors of position against the exact motion", 90),
+            fontsize=12,
+            color=_ink.TEXT,
         )
         low, high = axes.get_ylim()
         axes.set_ylim(max(low / 2, _LOWEST / 3), min(high * 2, 10))
@@ -110,8 +117,7 @@ def _envelope(
     times = comparison.times
     known = ~np.isnan(errors)
     times, errors = times[known], errors[known]
-    half_swing = float(comparison.exact.radial_period)
-    bins = math.floor(float(times[-1]) / half_swing) if half_swing < math.inf else 0
+    bins = _half_swings(comparison, float(times[-1]))
     if bins <= _FEW:
         return times, errors
     parts = [part for part in np.array_split(np.arange(len(times)), min(bins, 600)) if part.size]
@@ -119,6 +125,11 @@ def _envelope(
         np.array([times[part].mean() for part in parts]),
         np.array([errors[part].max() for part in parts]),
     )
+
+
+def _half_swings(comparison: Comparison, duration: float) -> int:
+    half_swing = float(comparison.exact.radial_period)
+    return math.floor(duration / half_swing) if half_swing < math.inf else 0
 
 
 def _label(axes: Axes, ends: list[tuple[float, str, str]]) -> None:
