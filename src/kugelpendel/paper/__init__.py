@@ -5,15 +5,16 @@ Source: the German paper in ../shared/seed, the omitted steps of M. G. Olsson, A
 mpmath, which the extra [paper] brings.
 """
 
+from ._graph import FORMULAS as FORMULAS
+from ._graph import UnknownLabel as UnknownLabel
+from ._graph import edges as edges
+from ._graph import formula as formula
+from ._graph import parts as parts
+from ._graph import rests_on as rests_on
+from ._misprints import MISPRINTS as MISPRINTS
 from ._model import Condition as Condition
 from ._model import Formula as Formula
 from ._model import Kind as Kind
 from ._model import Misprint as Misprint
 from ._model import Row as Row
 from ._model import Step as Step
-
-# The rest comes with the first commit of the sections:
-# FORMULAS: tuple[Formula, ...]; MISPRINTS: tuple[Misprint, ...]
-# formula(label) -> Formula; parts(display) -> tuple[Formula, ...]
-# rests_on(label) -> tuple[str, ...] (labels back to (1), in the paper's order); GRAPH edges()
-# check(parallel=True, progress=None) -> tuple[Row, ...]; progress(done, total, row)
