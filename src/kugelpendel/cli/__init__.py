@@ -1,4 +1,4 @@
-"""The command line: ``kugelpendel run FILE.toml``.
+"""The command line: ``kugelpendel run FILE.toml`` and ``kugelpendel derive``.
 
 Nothing heavy is imported before a command needs it, so that ``kugelpendel --help`` answers at once.
 """

@@ -7,7 +7,7 @@ import os
 import signal
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -33,6 +33,11 @@ A job file looks like this; quantities have a unit or are plain SI numbers:
   step = "0.1 s"        # or samples = 36001
 """
 
+_DERIVE: dict[str, Any] = {
+    "description": "The derivation of the precession, from Newton's law on, with every step.",
+    "epilog": "kugelpendel derive --format html writes the page to read or print.",
+}
+
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line.
@@ -45,7 +50,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns
     -------
     int
-        Exit code: 0, 2 for bad input (with a sentence on stderr), 130 when interrupted.
+        Exit code: 0, 1 when a proof fails, 2 for bad input (with a sentence on stderr), 130 when
+        interrupted.
     """
     parser = _parser()
     given = parser.parse_args(arguments)
@@ -70,29 +76,52 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _run(given: argparse.Namespace) -> int:
     try:
         from kugelpendel import InvalidInput
-        from kugelpendel.cli._run import run
     except ImportError as missing:
-        return _refuse(_not_installed(missing))
+        return _refuse(_not_installed(missing, given.command))
+    code = 0
     try:
-        run(given.file, given.out, given.json, given.format)
+        code = _derive(given) if given.command == "derive" else _job(given)
         sys.stdout.flush()
     except InvalidInput as error:
         return _refuse(str(error))
     except ImportError as missing:
-        return _refuse(_not_installed(missing))
+        return _refuse(_not_installed(missing, given.command))
     except KeyboardInterrupt:
         print("kugelpendel: interrupted; no file is left half-written.", file=sys.stderr)
         return _INTERRUPTED
     except BrokenPipeError:
         # The reader of a pipe, such as `head`, has had enough; all files are written by now.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return code
+
+
+def _job(given: argparse.Namespace) -> int:
+    from kugelpendel.cli._run import run
+
+    run(given.file, given.out, given.json, given.format)
     return 0
 
 
-def _not_installed(missing: ImportError) -> str:
+def _derive(given: argparse.Namespace) -> int:
+    from kugelpendel.cli._derive import derive, list_misprints, refuse_mixture
+
+    refuse_mixture(given.check, given.misprints, given.equation, given.format, given.out)
+    if given.check:
+        from kugelpendel.cli._proofs import check
+
+        return check(given.lang)
+    if given.misprints:
+        list_misprints(given.lang)
+    else:
+        derive(given.equation, given.lang, given.format, given.out)
+    return 0
+
+
+def _not_installed(missing: ImportError, command: str) -> str:
+    extra = {"derive": "paper"}.get(command, command)
     return (
-        f"{missing.name or missing} is not installed, and `kugelpendel run` needs it: "
-        "python -m pip install 'kugelpendel[run]'"
+        f"{missing.name or missing} is not installed, and `kugelpendel {command}` needs it: "
+        f"python -m pip install 'kugelpendel[{extra}]'"
     )
 
 
@@ -133,4 +162,28 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument(
         "--format", choices=("csv", "netcdf", "parquet"), help="format of the track (default: csv)"
     )
+    _add_derive(commands.add_parser("derive", help="show or check why it is true", **_DERIVE))
     return parser
+
+
+def _add_derive(derive: argparse.ArgumentParser) -> None:
+    derive.add_argument(
+        "equation",
+        nargs="?",
+        metavar="EQUATION",
+        help="such as 25: show only this one and what it rests on (default: everything)",
+    )
+    derive.add_argument("--lang", metavar="de|en", help="language (default: that of the locale)")
+    derive.add_argument(
+        "--format", metavar="html|md|latex|text", help="default: by the name of the file, or text"
+    )
+    derive.add_argument(
+        "--out",
+        type=Path,
+        metavar="FILE",
+        help="file to write (default: the terminal; derivation.LANG.html for html)",
+    )
+    derive.add_argument("--misprints", action="store_true", help="list the misprints of the paper")
+    derive.add_argument(
+        "--check", action="store_true", help="run all proofs; the exit code is 1 if one fails"
+    )

@@ -18,3 +18,8 @@ from ._model import Kind as Kind
 from ._model import Misprint as Misprint
 from ._model import Row as Row
 from ._model import Step as Step
+from ._rendering import document as document
+from ._rendering import misprint_list as misprint_list
+from ._words import LANGUAGES as LANGUAGES
+from ._words import Words as Words
+from ._words import words as words
