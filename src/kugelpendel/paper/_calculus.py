@@ -1,23 +1,16 @@
 """The few operations that the derivation needs, each exact."""
 
-# SymPy has no types: what it returns is an expression, as annotated.
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
-# pyright: reportUnknownArgumentType=false, reportUnknownParameterType=false
-# pyright: reportUnknownLambdaType=false, reportMissingTypeArgument=false
-
 from __future__ import annotations
 
 from functools import cache
 
-from sympy import (
-    Abs,
+from ._algebra import (
     Add,
     Dummy,
     Expr,
     I,
     Integer,
     Mul,
-    Poly,
     Pow,
     Rational,
     Symbol,
@@ -32,7 +25,6 @@ from sympy import (
     sin,
     together,
 )
-
 from ._symbols import (
     RATE,
     Ddt,
@@ -72,12 +64,12 @@ def carry_out(expression: Expr) -> Expr:
 
 
 @cache
-def _sine(angle: Expr) -> Symbol:
+def _sine(angle: Expr) -> Expr:
     return Dummy(f"s({angle})", real=True)
 
 
 @cache
-def _cosine(angle: Expr) -> Symbol:
+def _cosine(angle: Expr) -> Expr:
     return Dummy(f"c({angle})", real=True)
 
 
@@ -118,7 +110,7 @@ def is_zero(expression: Expr) -> bool:
     """
     expression, angles = _polynomial_angles(carry_out(expression))
     roots = {p for p in expression.atoms(Pow) if p.exp.is_Rational and p.exp.q == 2}
-    rules: list[tuple[Symbol, Expr]] = []
+    rules: list[tuple[Expr, Expr]] = []
     for power in sorted(roots, key=str):
         radicand = power.base
         root = next((_cosine(q) for q in angles if _same_square(radicand, q, angles)), None)
@@ -219,13 +211,3 @@ def is_constant_multiple(first: Expr, second: Expr) -> bool:
         return False
     ratio = Rational(str((above / below).round(12))).limit_denominator(64)
     return ratio != 0 and is_zero(first - ratio * second)
-
-
-def absolute(expression: Expr) -> Expr:
-    """Without bars: |u| is of the size of u."""
-    return expression.replace(Abs, lambda u: u)
-
-
-def degree(expression: Expr, symbol: Symbol) -> int:
-    """Degree of a polynomial."""
-    return int(Poly(expression, symbol).degree())

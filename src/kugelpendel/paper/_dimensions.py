@@ -1,17 +1,12 @@
 """Dimensions: the quickest way to find a misprint."""
 
-# SymPy has no types: what it returns is an expression, as annotated.
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
-# pyright: reportUnknownArgumentType=false
-
 from __future__ import annotations
 
-from sympy import Abs, Add, Expr, Mul, Pow, Rational, cos, sin
-
+from ._algebra import Abs, Add, Expr, Mul, Pow, Rational, cos, sin
 from ._notation import Relation
 from ._symbols import DIMENSION, Ddt
 
-Powers = tuple[Rational, Rational, Rational]  # of mass, length, time
+Powers = tuple[Expr, Expr, Expr]  # of mass, length, time
 
 
 class InhomogeneousError(ValueError):

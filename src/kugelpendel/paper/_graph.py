@@ -1,8 +1,5 @@
 """All formulas in the paper's order, and what each rests on."""
 
-# SymPy has no types: what it returns is an expression, as annotated.
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
-
 from __future__ import annotations
 
 from functools import cache

@@ -11,8 +11,14 @@ from __future__ import annotations
 from ._model import Misprint
 
 _DD = r"\ddot{\phi}"
-_TURNED = r"\begin{pmatrix} \dot{y}z - \dot{z}y \\ -\dot{x}z + \dot{z}x \\ \dot{x}y - \dot{y}x \end{pmatrix}"
-_UPRIGHT = r"\begin{pmatrix} y\dot{z} - z\dot{y} \\ z\dot{x} - x\dot{z} \\ x\dot{y} - y\dot{x} \end{pmatrix}"
+_TURNED = (
+    r"\begin{pmatrix} \dot{y}z - \dot{z}y \\ -\dot{x}z + \dot{z}x \\ \dot{x}y - "
+    r"\dot{y}x \end{pmatrix}"
+)
+_UPRIGHT = (
+    r"\begin{pmatrix} y\dot{z} - z\dot{y} \\ z\dot{x} - x\dot{z} \\ x\dot{y} - "
+    r"y\dot{x} \end{pmatrix}"
+)
 _LINES = ("10.7:5", "10.7:6")
 
 MISPRINTS: tuple[Misprint, ...] = (

@@ -18,10 +18,12 @@ Agreed with the rendering
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
+
+if TYPE_CHECKING:
+    from ._proofs import Proof
 
 
 class Kind(StrEnum):
@@ -111,7 +113,7 @@ class Formula:
     printed: str
     right: str
     step: Step
-    proof: Callable[..., object]  # a `_proofs.Proof`; the rendering does not need it
+    proof: Proof
     number: str = ""
     head: str = ""  # label of the line that a chain starts with, where `printed` begins with "="
 

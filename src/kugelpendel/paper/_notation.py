@@ -4,10 +4,6 @@ Read, not retyped: the formula that a document shows and the one that is proved 
 Only what the paper uses is understood; anything else is a NotationError.
 """
 
-# SymPy has no types: what it returns is an expression, as annotated.
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
-# pyright: reportUnknownArgumentType=false
-
 from __future__ import annotations
 
 import re
@@ -15,12 +11,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 
-from sympy import Abs, Add, Expr, Integer, Mul, Pow, Rational, Symbol, cos, sin, sqrt
-
+from ._algebra import Abs, Add, Expr, Integer, Mul, Pow, Rational, cos, sin, sqrt
 from ._symbols import CARTESIAN, SPHERICAL, SYMBOL, VECTORS, Ddt
 
 _TOKEN = re.compile(
+    r""
     r"\\begin\{pmatrix\}|\\end\{pmatrix\}|\\vec\{e\}_(?:\\?[a-z]+)|\\d?dot\{\\vec\{r\}\}|\\vec\{[a-zL]\}"
+    r""
     r"|\\d?dot\{\\?[a-z]+\}|\\omega_0|L_[xyz]|[xy]'|\\[A-Za-z]+|\\[\\{}]|[0-9]+|[a-zA-Z]|[-+=^(){}\[\]/&|]"
 )
 _SKIPPED = {r"\left", r"\right", r"\quad", "&"}
@@ -42,7 +39,7 @@ class Relation:
 
     @property
     def difference(self) -> Expr:
-        """lhs − rhs: zero where the relation is an equation and holds."""
+        """Lhs − rhs: zero where the relation is an equation and holds."""
         return Add(self.lhs, Mul(-1, self.rhs))
 
     def apply(self, change: Callable[[Expr], Expr]) -> Relation:
@@ -140,7 +137,7 @@ class _Reader:
         self.take()
         return Pow(base, self._exponent())
 
-    def _exponent(self) -> Integer:
+    def _exponent(self) -> Expr:
         token = self.take()
         if token == "{":
             token = self.take()
@@ -209,7 +206,7 @@ class _Reader:
         return Add(*(Mul(row, unit) for row, unit in zip(rows, self._basis, strict=True)))
 
 
-def components(vector: Expr, basis: tuple[Symbol, ...]) -> tuple[Expr, ...]:
+def components(vector: Expr, basis: tuple[Expr, ...]) -> tuple[Expr, ...]:
     """The vector's components: it must be a sum of multiples of the basis."""
     zero = dict.fromkeys(basis, 0)
     return tuple(vector.subs({**zero, unit: 1}) for unit in basis)

@@ -1,15 +1,10 @@
 """The second proof: true at random points, to 50 digits, in a world made without the algebra."""
 
-# SymPy and mpmath have no types: what they return is a number or an expression, as annotated.
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
-# pyright: reportUnknownArgumentType=false, reportMissingTypeStubs=false
-
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from mpmath import mp, mpf
-
+from ._algebra import mp, mpf
 from ._dimensions import InhomogeneousError, dimension
 from ._notation import Relation
 from ._worlds import DIGITS, Number, World, ellipse
@@ -53,11 +48,10 @@ def to_order(kept: int, make: Callable[[int, int], World]) -> Numeric:
 
 def measured_order(relation: Relation, make: Callable[[int, int], World], seed: int = 0) -> Number:
     """The power of ε with which lhs − rhs falls, from two sizes."""
-    rests: list[Number] = []
     with mp.workdps(DIGITS + 12 * EXPONENT):
-        for exponent in (EXPONENT, EXPONENT + 2):
-            rests.append(abs(make(seed, exponent).value(relation.difference)))
-        return mp.log10(rests[0] / rests[1]) / 2
+        worlds = (make(seed, exponent) for exponent in (EXPONENT, EXPONENT + 2))
+        larger, smaller = (abs(world.value(relation.difference)) for world in worlds)
+        return mp.log10(larger / smaller) / 2
 
 
 def first_harmonics(kept: int | None, pure: bool = True, beats: int = 8) -> Numeric:

@@ -4,18 +4,12 @@ A proof takes any relation and answers whether that relation is what the step yi
 proof that accepts the right formula rejects the printed one and the mutants.
 """
 
-# SymPy has no types: what it returns is an expression, as annotated.
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
-# pyright: reportUnknownArgumentType=false, reportUnknownParameterType=false
-# pyright: reportUnknownLambdaType=false
-
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from sympy import Expr
-
+from ._algebra import Expr
 from ._calculus import carry_out, is_zero
 from ._model import Formula, Step
 from ._notation import Relation, read

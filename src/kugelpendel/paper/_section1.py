@@ -1,18 +1,12 @@
 """Section 1 of the paper: from Newton's law to (5a), (5b), (5c)."""
 
-# SymPy has no types: what it returns is an expression, as annotated.
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
-# pyright: reportUnknownArgumentType=false, reportUnknownParameterType=false
-# pyright: reportUnknownLambdaType=false
-
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from sympy import Expr, Matrix, Rational, cos, diff, sin, sqrt
-
 from . import _conditions as c
 from . import _symbols as s
+from ._algebra import Add, Expr, Matrix, Rational, cos, diff, sin, sqrt
 from ._calculus import rate
 from ._model import Formula, Kind, Step
 from ._notation import Relation, components
@@ -52,7 +46,7 @@ def _angles(relation: Relation, _: Premises) -> list[Expr]:
 
 
 def _norm(p: Premises) -> Expr:
-    square = sum(p[f"2:{q}"].rhs ** 2 for q in "xyz").trigsimp()
+    square = Add(*(p[f"2:{q}"].rhs ** 2 for q in "xyz")).trigsimp()
     return s.r - sqrt(square)
 
 
@@ -105,8 +99,14 @@ _YDDOT = (
     r"- l \sin \theta \sin \phi \cdot \dot{\phi}^2 + l \sin \theta \cos \phi \cdot \ddot{\phi}"
 )
 _ZDDOT = r"-l \cos \theta \cdot \dot{\theta}^2 - l \sin \theta \cdot \ddot{\theta}"
-_EX = r"\sin \theta \cos \phi \vec{e}_r + \cos \theta \cos \phi \vec{e}_\theta - \sin \phi \vec{e}_\phi"
-_EY = r"\sin \theta \sin \phi \vec{e}_r + \cos \theta \sin \phi \vec{e}_\theta + \cos \phi \vec{e}_\phi"
+_EX = (
+    r"\sin \theta \cos \phi \vec{e}_r + \cos \theta \cos \phi \vec{e}_\theta - \sin "
+    r"\phi \vec{e}_\phi"
+)
+_EY = (
+    r"\sin \theta \sin \phi \vec{e}_r + \cos \theta \sin \phi \vec{e}_\theta + \cos "
+    r"\phi \vec{e}_\phi"
+)
 _EZ = r"\cos \theta \vec{e}_r - \sin \theta \vec{e}_\theta"
 _RADIAL = r"\dot{\theta}^2 + \dot{\phi}^2 \sin^2 \theta"
 _POLAR = r"\ddot{\theta} - \dot{\phi}^2 \sin \theta \cos \theta"
@@ -144,13 +144,15 @@ FORMULAS: tuple[Formula, ...] = (
     ),
     claim(
         "3.1:x",
-        r"\dot{x} = l \cos \theta \cdot \dot{\theta} \cos \phi - l \sin \theta \sin \phi \cdot \dot{\phi}",
+        r"\dot{x} = l \cos \theta \cdot \dot{\theta} \cos \phi - l \sin \theta \sin "
+        r"\phi \cdot \dot{\phi}",
         _DIFFERENTIATE,
         _FIRST,
     ),
     claim(
         "3.1:y",
-        r"\dot{y} = l \cos \theta \cdot \dot{\theta} \sin \phi + l \sin \theta \cos \phi \cdot \dot{\phi}",
+        r"\dot{y} = l \cos \theta \cdot \dot{\theta} \sin \phi + l \sin \theta \cos "
+        r"\phi \cdot \dot{\phi}",
         _DIFFERENTIATE,
         _FIRST,
     ),

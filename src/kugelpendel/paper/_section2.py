@@ -1,21 +1,15 @@
 """Section 2, first half: (6) to (10), back and forth between angles and Cartesian coordinates."""
 
-# SymPy has no types: what it returns is an expression, as annotated.
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
-# pyright: reportUnknownArgumentType=false, reportUnknownParameterType=false
-# pyright: reportUnknownLambdaType=false
-
 from __future__ import annotations
-
-from sympy import Expr, Matrix, cos, diff, sin, sqrt
 
 from . import _conditions as c
 from . import _symbols as s
+from ._algebra import Expr, Matrix, cos, diff, sin, sqrt
 from ._calculus import carry_out
 from ._model import Formula, Kind, Step
 from ._notation import Relation, components
 from ._numeric import in_world
-from ._proofs import Premises, Proof, both, claim, continued, follows, given, identity, put
+from ._proofs import Premises, Proof, both, claim, continued, follows, given, put
 from ._symbols import SYMBOL
 from ._worlds import dynamic, kinematic
 
@@ -207,7 +201,8 @@ FORMULAS: tuple[Formula, ...] = (
     ),
     claim(
         "6.1:2",
-        r"= -l^2 \sin^2 \theta \cdot \dot{\theta}^2 + l^2 \sin \theta \cos \theta \cdot \ddot{\theta} "
+        r"= -l^2 \sin^2 \theta \cdot \dot{\theta}^2 + l^2 \sin \theta \cos \theta "
+        r"\cdot \ddot{\theta} "
         r"- l^2 \sin^2 \theta \cdot \dot{\phi}^2",
         Step(Kind.REARRANGE, ("6.1:1",)),
         Proof(continued("6.1:1"), _ANY),
@@ -300,7 +295,8 @@ FORMULAS: tuple[Formula, ...] = (
     ),
     claim(
         "10",
-        r"x\ddot{x} + y\ddot{y} + \frac{1}{l^2} \frac{(x\dot{x} + y\dot{y})^2}{1 - \frac{\rho^2}{l^2}} "
+        r"x\ddot{x} + y\ddot{y} + \frac{1}{l^2} \frac{(x\dot{x} + y\dot{y})^2}{1 - "
+        r"\frac{\rho^2}{l^2}} "
         r"+ \frac{1}{l^2} (x\dot{y} - y\dot{x})^2 "
         r"+ \omega_0^2 (x^2 + y^2) \sqrt{1 - \frac{\rho^2}{l^2}} = 0",
         Step(
@@ -329,7 +325,8 @@ FORMULAS: tuple[Formula, ...] = (
     ),
     claim(
         "10.3",
-        r"l^2 \ddot{\theta} \cos \theta \sin \theta - l^2 \dot{\phi}^2 \sin^2 \theta (1 - \sin^2 \theta) "
+        r"l^2 \ddot{\theta} \cos \theta \sin \theta - l^2 \dot{\phi}^2 \sin^2 \theta "
+        r"(1 - \sin^2 \theta) "
         r"+ \omega_0^2 l^2 \sin^2 \theta \cos \theta = 0",
         Step(Kind.REARRANGE, ("10.2",)),
         Proof(follows(lambda p: p["10.2"]), _MOVING),

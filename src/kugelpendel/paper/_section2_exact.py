@@ -1,16 +1,10 @@
 """Section 2, second half: from (10) to the exact (12) and the cubic (13a), (13b)."""
 
-# SymPy has no types: what it returns is an expression, as annotated.
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
-# pyright: reportUnknownArgumentType=false, reportUnknownParameterType=false
-# pyright: reportUnknownLambdaType=false
-
 from __future__ import annotations
-
-from sympy import Add, Expr, sqrt
 
 from . import _conditions as c
 from . import _symbols as s
+from ._algebra import Add, Expr, sqrt
 from ._calculus import small, taylor, truncated
 from ._model import Formula, Kind, Step
 from ._notation import Relation

@@ -1,16 +1,10 @@
 """Section 3: the resting ellipse of infinitesimal displacements, (16)."""
 
-# SymPy has no types: what it returns is an expression, as annotated.
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
-# pyright: reportUnknownArgumentType=false, reportUnknownParameterType=false
-# pyright: reportUnknownLambdaType=false
-
 from __future__ import annotations
-
-from sympy import Expr, diff
 
 from . import _conditions as c
 from . import _symbols as s
+from ._algebra import Expr, diff
 from ._calculus import small, truncated
 from ._model import Formula, Kind, Step
 from ._notation import Relation

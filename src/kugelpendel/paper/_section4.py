@@ -1,18 +1,12 @@
 """Section 4, first half: the turning ellipse (17) to (20) put into the cubic terms, up to (23)."""
 
-# SymPy has no types: what it returns is an expression, as annotated.
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
-# pyright: reportUnknownArgumentType=false, reportUnknownParameterType=false
-# pyright: reportUnknownLambdaType=false
-
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from sympy import Abs, Add, Expr, I, cos, expand, sin
-
 from . import _conditions as c
 from . import _symbols as s
+from ._algebra import Abs, Add, Expr, I, cos, expand, sin
 from ._calculus import EPS, SHIFT, harmonic, is_zero, rate, slow, taylor
 from ._dimensions import is_homogeneous
 from ._model import Formula, Kind, Step
@@ -39,7 +33,7 @@ _AVERAGED_SMALL = first_harmonics(3)
 
 
 def _turning(relation: Relation, _: Premises) -> list[Expr]:
-    """x + iy is x' + iy' turned by Ωt."""
+    """X + iy is x' + iy' turned by Ωt."""
     wheel = cos(s.Omega * s.t) + I * sin(s.Omega * s.t)
     plan, mirrored = (expand((s.xp + j * I * s.yp) * wheel.subs(I, j * I)) for j in (1, -1))
     rules = {s.x: expand((plan + mirrored) / 2), s.y: expand((plan - mirrored) / (2 * I))}
@@ -63,7 +57,7 @@ def _much_less(relation: Relation, _: Premises) -> list[Expr]:
     found = {s.Omega: 3 * s.omega0 * s.a * s.b / (8 * s.l**2)}
     shift = -(s.omega0**2) * (s.a**2 + s.b**2) / (8 * s.l**2)
     bars = relation.lhs.has(Abs)
-    inner = relation.lhs.replace(Abs, lambda u: u)
+    inner = relation.lhs.xreplace({bar: bar.args[0] for bar in relation.lhs.atoms(Abs)})
     left, right = (
         taylor(slow(side).xreplace({SHIFT: shift}).xreplace(found), 2)
         for side in (inner, relation.rhs)
@@ -103,7 +97,7 @@ def _no_turning(relation: Relation, p: Premises) -> list[Expr]:
 
 
 def _product(first: str, second: str) -> Callable[[Premises], Expr]:
-    """x from one formula times the sum of squares from another."""
+    """X from one formula times the sum of squares from another."""
 
     def derive(p: Premises) -> Expr:
         return s.x * p[second].lhs - p[first].rhs * p[second].rhs
@@ -142,7 +136,8 @@ _SPEEDS = (
 )
 _YY = (
     r"y^2 = a^2 \cos^2 \omega t \sin^2 \Omega t "
-    r"%s 2ab \cos \omega t \sin \Omega t \sin \omega t \cos \Omega t + b^2 \sin^2 \omega t \cos^2 \Omega t"
+    r"%s 2ab \cos \omega t \sin \Omega t \sin \omega t \cos \Omega t + b^2 \sin^2 "
+    r"\omega t \cos^2 \Omega t"
 )
 _PLACE = r"x(x^2 + y^2)"
 _SPEED = r"x(\dot{x}^2 + \dot{y}^2)"
@@ -341,7 +336,8 @@ FORMULAS: tuple[Formula, ...] = (
     ),
     claim(
         "20.9:2",
-        r"= \omega^2 (a^3 \cos \omega t \sin^2 \omega t \cos \Omega t + ab^2 \cos^3 \omega t \cos \Omega t "
+        r"= \omega^2 (a^3 \cos \omega t \sin^2 \omega t \cos \Omega t + ab^2 \cos^3 "
+        r"\omega t \cos \Omega t "
         r"- a^2 b \sin^3 \omega t \sin \Omega t - b^3 \sin \omega t \cos^2 \omega t \sin \Omega t)",
         Step(Kind.REARRANGE, ("20.9:1",)),
         Proof(continued("20.9:1"), to_order(3, ellipse)),
@@ -387,8 +383,10 @@ FORMULAS: tuple[Formula, ...] = (
     ),
     claim(
         "23:2",
-        rf"= \frac{{1}}{{8l^2}} \left[ -2\omega^2(a^3 + 3ab^2) + \omega_0^2(3a^3 + ab^2) \right] {_AC} "
-        rf"+ \frac{{1}}{{8l^2}} \left[ 2\omega^2(b^3 + 3a^2b) - \omega_0^2(3b^3 + a^2b) \right] {_SS}",
+        rf"= \frac{{1}}{{8l^2}} \left[ -2\omega^2(a^3 + 3ab^2) + \omega_0^2(3a^3 + "
+        rf"ab^2) \right] {_AC} "
+        rf"+ \frac{{1}}{{8l^2}} \left[ 2\omega^2(b^3 + 3a^2b) - \omega_0^2(3b^3 + a^2b) "
+        rf"\right] {_SS}",
         Step(Kind.REARRANGE, ("23:1",)),
         Proof(continued("23:1"), _AVERAGED_SMALL),
         number="23",

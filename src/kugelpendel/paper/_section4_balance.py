@@ -1,23 +1,15 @@
 """Section 4, second half: the balance of the first harmonics, (25) and (26)."""
 
-# SymPy has no types: what it returns is an expression, as annotated.
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
-# pyright: reportUnknownArgumentType=false, reportUnknownParameterType=false
-# pyright: reportUnknownLambdaType=false
-
 from __future__ import annotations
-
-from collections.abc import Callable
-
-from sympy import Expr, cos, expand, sin, solve
 
 from . import _conditions as c
 from . import _symbols as s
+from ._algebra import Expr, cos, expand, sin, solve
 from ._calculus import slow, truncated
 from ._model import Formula, Kind, Step
 from ._notation import Relation
 from ._numeric import first_harmonics, in_world, to_order
-from ._proofs import Premises, Proof, Symbolic, both, claim, continued, follows, identity
+from ._proofs import Premises, Proof, Symbolic, claim, continued, follows, identity
 from ._symbols import Ddt
 from ._worlds import balanced, ellipse
 
@@ -138,7 +130,10 @@ FORMULAS: tuple[Formula, ...] = (
             Kind.NEGLECT,
             ("23.3",),
             (c.NEAR, c.ALSO_PREFACTOR, c.OMEGA_SQUARED),
-            neglected=r"a\Omega^2, \frac{a^3}{l^2} (\omega^2 - \omega_0^2), b\Omega(\omega - \omega_0)",
+            neglected=(
+                r"a\Omega^2, \frac{a^3}{l^2} (\omega^2 - \omega_0^2), "
+                r"b\Omega(\omega - \omega_0)"
+            ),
         ),
         Proof(follows(_leading), _HARMONICS_OF_LAW, against=_LAW),
     ),

@@ -4,12 +4,9 @@ A quantity and its derivatives are separate symbols (x, ẋ, ẍ), so that the e
 and rational functions; `_calculus.rate` differentiates along the motion.
 """
 
-# SymPy has no types: what it returns is a symbol or an expression, as annotated.
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
-
 from __future__ import annotations
 
-from sympy import Expr, Function, Symbol
+from ._algebra import Expr, Function, Symbol
 
 Dimension = tuple[int, int, int]  # powers of mass, length, time
 
@@ -46,12 +43,12 @@ _LETTERS: dict[str, tuple[str, Dimension]] = {
 _POSITIVE = ("m", "g", "l", "omega_0")
 _MOVING = ("x", "y", "z", r"\theta", r"\phi")
 
-SYMBOL: dict[str, Symbol] = {}  # LaTeX → symbol
-DIMENSION: dict[Symbol, Dimension] = {}
-RATE: dict[Symbol, Symbol] = {}  # symbol → its time derivative
+SYMBOL: dict[str, Expr] = {}  # LaTeX → symbol
+DIMENSION: dict[Expr, Dimension] = {}
+RATE: dict[Expr, Expr] = {}  # symbol → its time derivative
 
 
-def _add(latex: str, name: str, dimension: Dimension) -> Symbol:
+def _add(latex: str, name: str, dimension: Dimension) -> Expr:
     symbol = Symbol(name, positive=True) if name in _POSITIVE else Symbol(name, real=True)
     SYMBOL[latex] = symbol
     DIMENSION[symbol] = dimension
@@ -66,7 +63,7 @@ for _latex in _MOVING:
     _ddot = _add(rf"\ddot{{{_latex}}}", f"{_name}ddot", (_m, _l, _t - 2))
     RATE[SYMBOL[_latex]], RATE[_dot] = _dot, _ddot
 
-LATEX: dict[Symbol, str] = {symbol: latex for latex, symbol in SYMBOL.items()}
+LATEX: dict[Expr, str] = {symbol: latex for latex, symbol in SYMBOL.items()}
 
 m, g, l, T, t, a, b = (SYMBOL[name] for name in "mglTtab")  # noqa: E741 (the paper's letter)
 x, y, z, xd, yd, zd, xdd, ydd, zdd = (

@@ -5,22 +5,15 @@ differentiation, accelerations from d'Alembert's principle, frequencies of the b
 solving for them. Working precision: 60 digits; 50 are asked for.
 """
 
-# SymPy and mpmath have no types: what they return is a number or an expression, as annotated.
-# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
-# pyright: reportUnknownArgumentType=false, reportUnknownParameterType=false
-# pyright: reportUnknownLambdaType=false, reportMissingTypeStubs=false
-
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from random import Random
 from typing import Any
 
-from mpmath import mp, mpc, mpf
-from sympy import Abs, Add, Expr, Mul, Pow, Symbol, cos, sin
-
 from . import _symbols as s
+from ._algebra import Abs, Add, Expr, I, Mul, Pow, cos, mp, mpc, mpf, sin
 from ._symbols import RATE, SYMBOL, Ddt
 
 DIGITS = 60
@@ -40,8 +33,8 @@ class World:
 
     def __init__(
         self,
-        constants: dict[Symbol, Number],
-        paths: dict[Symbol, Path],
+        constants: dict[Expr, Number],
+        paths: dict[Expr, Path],
         phases: dict[Expr, tuple[Number, Number]] | None = None,
     ):
         self.constants = constants
@@ -60,6 +53,8 @@ class World:
     def _compute(self, e: Expr, tau: Number) -> Number:
         if e.is_Symbol:
             return self._letter(e, tau)
+        if e is I:
+            return mpc(0, 1)
         if e.is_Rational:
             return mpf(int(e.p)) / int(e.q)
         if isinstance(e, Add):
@@ -74,7 +69,7 @@ class World:
         if isinstance(e, Abs):
             return abs(self.value(e.args[0], tau))
         if isinstance(e, Ddt):
-            return mp.diff(lambda shift: self.value(e.args[0], tau + shift), 0)
+            return mp.diff(partial(self.value, e.args[0]), tau)
         raise TypeError(f"{e} is not an expression of the paper.")
 
     def _power(self, e: Expr, tau: Number) -> Number:
@@ -90,7 +85,7 @@ class World:
             return int(factor) * (phase + rate * tau)
         return self.value(angle, tau)
 
-    def _letter(self, symbol: Symbol, tau: Number) -> Number:
+    def _letter(self, symbol: Expr, tau: Number) -> Number:
         if symbol in self.constants:
             return self.constants[symbol]
         order, base = 0, symbol
@@ -125,11 +120,17 @@ def _about_axis(axis: int, angle: Number, vector: Vector) -> Vector:
     return (back[0], back[1], back[2])
 
 
-def _common(rng: Random) -> dict[Symbol, Number]:
-    return {s.m: _draw(rng, 0.5, 2), s.g: _draw(rng, 5, 12), s.l: _draw(rng, 0.5, 2)}
+def _component(k: int, axis: int, vector: Vector, angle: Number) -> Number:
+    return _about_axis(axis, angle, vector)[k]
 
 
-def _with_vectors(constants: dict[Symbol, Number], paths: dict[Symbol, Path], rng: Random) -> World:
+def _common(rng: Random) -> dict[Expr, Number]:
+    """With an ω and an Ω that no right formula of sections 1 to 3 contains, but mutants do."""
+    ranges = {s.m: (0.5, 2), s.g: (5, 12), s.l: (0.5, 2), s.omega: (1, 3), s.Omega: (0.1, 0.9)}
+    return {letter: _draw(rng, low, high) for letter, (low, high) in ranges.items()}
+
+
+def _with_vectors(constants: dict[Expr, Number], paths: dict[Expr, Path], rng: Random) -> World:
     """Adds unit vectors, as their components along a random direction, and angular momentum."""
     theta, phi = paths[s.theta](0), paths[s.phi](0)
     along = tuple(_draw(rng, -1, 1) for _ in range(3))
@@ -140,10 +141,7 @@ def _with_vectors(constants: dict[Symbol, Number], paths: dict[Symbol, Path], rn
     place = tuple(paths[q](0) for q in (s.x, s.y, s.z))
     speed = tuple(mp.diff(paths[q], 0) for q in (s.x, s.y, s.z))
     for axis, name in enumerate(("L_x", "L_y", "L_z")):
-        turning = tuple(
-            mp.diff(lambda angle, k=k, axis=axis: _about_axis(axis, angle, place)[k], 0)
-            for k in range(3)
-        )
+        turning = tuple(mp.diff(partial(_component, k, axis, place), 0) for k in range(3))
         constants[SYMBOL[name]] = constants[s.m] * _dot(speed, turning)
     return World(constants, paths)
 
@@ -172,7 +170,7 @@ def kinematic(seed: int) -> World:
     return _with_vectors(constants, paths, rng)
 
 
-def _cartesian(place: Callable[[Number], Vector]) -> dict[Symbol, Path]:
+def _cartesian(place: Callable[[Number], Vector]) -> dict[Expr, Path]:
     return {
         s.x: lambda tau: place(tau)[0],
         s.y: lambda tau: place(tau)[1],
@@ -221,7 +219,8 @@ def linear(seed: int) -> World:
     Its motion is summed from the power series that the equation itself gives.
     """
     rng = Random(f"linear {seed}")
-    constants = {s.a: _draw(rng, 0.5, 2), s.b: _draw(rng, 0.3, 1.5), s.omega0: _draw(rng, 1, 3)}
+    constants = _common(rng)
+    constants |= {s.a: _draw(rng, 0.5, 2), s.b: _draw(rng, 0.3, 1.5), s.omega0: _draw(rng, 1, 3)}
     rate, start = constants[s.omega0], _draw(rng, 0.2, 0.6)
     constants[s.t] = start
 
@@ -235,14 +234,14 @@ def linear(seed: int) -> World:
             odd *= -((rate * time) ** 2) / (k * (k + 1))
         return total
 
-    paths: dict[Symbol, Path] = {
+    paths: dict[Expr, Path] = {
         s.x: lambda tau: series(constants[s.a], mpf(0), start + tau),
         s.y: lambda tau: series(mpf(0), constants[s.b] * rate, start + tau),
     }
     return World(constants, paths)
 
 
-def _ellipse(constants: dict[Symbol, Number], swing: Number, turn: Number) -> World:
+def _ellipse(constants: dict[Expr, Number], swing: Number, turn: Number) -> World:
     """The turning ellipse at the phases ωt = swing, Ωt = turn."""
     a, b = constants[s.a], constants[s.b]
     fast, slow = constants[s.omega], constants[s.Omega]
@@ -254,9 +253,10 @@ def _ellipse(constants: dict[Symbol, Number], swing: Number, turn: Number) -> Wo
     def plan(tau: Number) -> Number:
         return resting(tau) * mp.expj(turn + slow * tau)
 
-    paths: dict[Symbol, Path] = {
+    paths: dict[Expr, Path] = {
         s.x: lambda tau: mpc(plan(tau)).real,
         s.y: lambda tau: mpc(plan(tau)).imag,
+        s.rho: lambda tau: abs(plan(tau)),
         s.xp: lambda tau: mpc(resting(tau)).real,
         s.yp: lambda tau: mpc(resting(tau)).imag,
     }
@@ -264,7 +264,7 @@ def _ellipse(constants: dict[Symbol, Number], swing: Number, turn: Number) -> Wo
     return World(constants, paths, phases)
 
 
-def _slow_constants(rng: Random, exponent: int) -> dict[Symbol, Number]:
+def _slow_constants(rng: Random, exponent: int) -> dict[Expr, Number]:
     eps = mpf(10) ** (-exponent)
     constants = {s.l: _draw(rng, 0.7, 1.5), s.omega0: _draw(rng, 1, 3)}
     constants[s.a] = eps * _draw(rng, 0.8, 1.4)
@@ -306,7 +306,7 @@ def balanced(seed: int, exponent: int) -> World:
     return _ellipse(constants, _draw(rng, 0.3, 1.2), _draw(rng, 0.3, 1.2))
 
 
-def _first_harmonics(constants: dict[Symbol, Number], beats: int = 8) -> tuple[Number, Number]:
+def _first_harmonics(constants: dict[Expr, Number], beats: int = 8) -> tuple[Number, Number]:
     """Of the left side of (13a), as cos ωt cos Ωt and sin ωt sin Ωt: by sums over a swing."""
     rate, length = constants[s.omega0], constants[s.l]
     sums: list[Number] = []
