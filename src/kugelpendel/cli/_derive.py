@@ -40,7 +40,7 @@ def derive(
     InvalidInput
         An equation, a language or a format that is not known, or a file that cannot be written.
     """
-    target = _known(equation) if equation is not None else ""
+    target = known_label(equation) if equation is not None else ""
     chosen = known_language(language)
     kind = _known_format(document_format, out)
     width = min(shutil.get_terminal_size().columns, _WIDEST)
@@ -68,11 +68,13 @@ def refuse_mixture(
     if is_check and is_list:
         raise InvalidInput("--check and --misprints are two commands; give one of them.")
     option = "--check" if is_check else "--misprints"
-    others = {"an equation": equation, "--format": document_format, "--out": out}
+    others: dict[str, object] = {"--format": document_format, "--out": out}
+    if is_list:
+        others["the equation"] = equation
     given = [name for name, value in others.items() if value is not None]
     if (is_check or is_list) and given:
         raise InvalidInput(
-            f"{option} prints a table of the whole derivation; leave out {' and '.join(given)}."
+            f"{option} prints one list to the terminal; leave out {' and '.join(given)}."
         )
 
 
@@ -114,7 +116,8 @@ def _known_format(document_format: str | None, out: Path | None) -> str:
     return document_format
 
 
-def _known(equation: str) -> str:
+def known_label(equation: str) -> str:
+    """The label that a user means; brackets around it may stay."""
     label = equation.strip().removeprefix("(").removesuffix(")")
     labels = [formula.label for formula in paper.FORMULAS]
     displays = list(dict.fromkeys(formula.display for formula in paper.FORMULAS))
@@ -127,17 +130,23 @@ def _known(equation: str) -> str:
 def nearest(label: str, displays: list[str]) -> list[str]:
     """The displays that may have been meant, in the paper's order."""
     stem = label.partition(":")[0]
-    same = [name for name in displays if stem and (name.startswith(stem) or stem.startswith(name))]
-    digits = "".join(sign if sign.isdigit() else " " for sign in label).split()
-    wanted = int(digits[0]) if digits else 1
-
-    def distance(name: str) -> tuple[int, int]:
-        number = int("".join(sign if sign.isdigit() else " " for sign in name).split()[0])
-        return abs(number - wanted), "." in name
-
-    near = [*same, *sorted(displays, key=distance)]
-    chosen = set(list(dict.fromkeys(near))[:4])
+    wanted = _number(label)
+    near = sorted(
+        displays,
+        key=lambda name: (
+            not (_number(name) == wanted and stem.startswith(name)),
+            abs(_number(name) - wanted),
+            "." in name,
+        ),
+    )
+    chosen = set(near[:4])
     return [name for name in displays if name in chosen]
+
+
+def _number(label: str) -> int:
+    """The number that a label begins with; 1 when it has none."""
+    digits = "".join(sign if sign.isascii() and sign.isdigit() else " " for sign in label).split()
+    return int(digits[0]) if digits else 1
 
 
 def _print_coloured(text: str) -> None:

@@ -109,7 +109,7 @@ def _derive(given: argparse.Namespace) -> int:
     if given.check:
         from kugelpendel.cli._proofs import check
 
-        return check(given.lang)
+        return check(given.equation, given.lang)
     if given.misprints:
         list_misprints(given.lang)
     else:

@@ -19,10 +19,10 @@ def write_file(path: Path, text: str) -> None:
     InvalidInput
         The file cannot be written; what was there before is as it was.
     """
-    temporary = path.with_name(f".{path.name}-{secrets.token_hex(6)}")
     try:
         if path.is_dir():
             raise IsADirectoryError(21, "it is a folder")
+        temporary = path.with_name(f".{path.name}-{secrets.token_hex(6)}")
         try:
             temporary.write_text(text, encoding="utf-8", newline="\n")
             temporary.replace(path)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from kugelpendel import paper
-from kugelpendel.cli._derive import known_language
+from kugelpendel.cli._derive import known_label, known_language
 from kugelpendel.cli._progress import Progress
 
 if TYPE_CHECKING:
@@ -14,11 +14,25 @@ if TYPE_CHECKING:
 _FAILED = 1
 
 
-def check(language: str | None) -> int:
-    """Prove everything, print what was found, and return the exit code: 1 if anything fails."""
+def check(equation: str | None, language: str | None) -> int:
+    """Prove everything, or what leads to one equation, and print what was found.
+
+    Returns
+    -------
+    int
+        Exit code: 1 if anything fails.
+    """
     words = paper.words(known_language(language))
-    with Progress(words.ui("check_proving"), len(paper.FORMULAS)) as progress:
-        rows = paper.check(parallel=True, progress=lambda *_: progress.advance(1))
+    labels = [formula.label for formula in paper.FORMULAS]
+    if equation is not None:
+        target = known_label(equation)
+        labels = [*paper.rests_on(target), *(one.label for one in paper.parts(target))]
+    with Progress(words.ui("check_proving"), len(labels)) as progress:
+
+        def advance(done: int, total: int, row: paper.Row) -> None:
+            progress.advance(1)
+
+        rows = paper.check(parallel=True, progress=advance, labels=labels)
     print("\n".join(table(rows, words)))
     return 0 if rows and all(row.holds for row in rows) else _FAILED
 

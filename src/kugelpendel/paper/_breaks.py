@@ -63,8 +63,9 @@ def is_break(node: Node) -> bool:
     """Whether a line may end before this sign."""
     if isinstance(node, Marked):
         return is_break(node.inner)
-    is_operator = isinstance(node, Atom) and node.kind == "operator"
-    return is_operator and (node.text in "+−" or node.text in RELATIONS)
+    if not isinstance(node, Atom) or node.kind != "operator":
+        return False
+    return node.text in "+−" or node.text in RELATIONS
 
 
 def width(node: Node) -> float:

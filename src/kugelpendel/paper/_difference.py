@@ -6,7 +6,7 @@ from dataclasses import fields
 from difflib import SequenceMatcher
 from typing import TYPE_CHECKING, cast
 
-from kugelpendel.paper._tex import Fence, Fraction, Marked, Root, Row, Script, read
+from kugelpendel.paper._tex import Fence, Fraction, Marked, Matrix, Root, Row, Script, read
 
 if TYPE_CHECKING:
     from kugelpendel.paper._tex import Node
@@ -44,6 +44,8 @@ def _nodes(old: Node, new: Node) -> tuple[Node, Node]:
         return old, new
     if isinstance(old, Row) and isinstance(new, Row):
         return _rows(old, new)
+    if isinstance(old, Matrix) and isinstance(new, Matrix):
+        return _matrices(old, new)
     if type(old) is not type(new) or not isinstance(old, _CONTAINERS):
         return Marked(old), Marked(new)
     parts: dict[str, tuple[object, object]] = {}
@@ -59,3 +61,15 @@ def _nodes(old: Node, new: Node) -> tuple[Node, Node]:
     first = kind(**{name: pair[0] for name, pair in parts.items()})  # type: ignore[arg-type]
     second = kind(**{name: pair[1] for name, pair in parts.items()})  # type: ignore[arg-type]
     return first, second
+
+
+def _matrices(old: Matrix, new: Matrix) -> tuple[Node, Node]:
+    if [len(row) for row in old.rows] != [len(row) for row in new.rows]:
+        return Marked(old), Marked(new)
+    pairs = [
+        [_nodes(one, other) for one, other in zip(before, after, strict=True)]
+        for before, after in zip(old.rows, new.rows, strict=True)
+    ]
+    left = tuple(tuple(pair[0] for pair in row) for row in pairs)
+    right = tuple(tuple(pair[1] for pair in row) for row in pairs)
+    return Matrix(left), Matrix(right)

@@ -26,13 +26,13 @@ class Derivation:
     misprints : tuple of Misprint
         All, in the paper's order.
     evidence : callable
-        From the key of a misprint to the LaTeX of the smallest counterexample: values, then what
-        they give; empty where a number says nothing.
+        From the key of a misprint to the smallest counterexample: LaTeX of its values, and of what
+        the equality fails by there; None where a number says nothing.
     """
 
     formulas: tuple[Formula, ...]
     misprints: tuple[Misprint, ...]
-    evidence: Callable[[str], Sequence[str]]
+    evidence: Callable[[str], tuple[Sequence[str], str] | None]
 
 
 @dataclass(frozen=True)
@@ -58,9 +58,9 @@ class Display:
         return any(line.formula.number for line in self.lines)
 
     @property
-    def is_misprinted(self) -> bool:
-        """Whether a misprint stands in it or in the words around it."""
-        return any(line.misprints or line.formula.is_misprinted for line in self.lines)
+    def has_wrong_formula(self) -> bool:
+        """Whether one of its formulas is printed wrongly."""
+        return any(line.formula.is_misprinted for line in self.lines)
 
     @property
     def steps(self) -> tuple[tuple[tuple[Line, ...], Step], ...]:
@@ -136,6 +136,11 @@ class Document:
         """How a formula is named within its display: line 2, x."""
         part = label.partition(":")[2]
         return f"{self.words.ui('line')} {part}" if part.isdigit() else part
+
+    def explains(self, condition: Condition, display: Display) -> bool:
+        """Whether a display is the first that needs a condition, and says what follows without."""
+        first = {one.key: where[0] for one, where in self.conditions}
+        return bool(condition.consequence) and first[condition.key] == display.label
 
     def used_in(self, display: Display) -> tuple[str, ...]:
         """The displays whose steps stand on this one."""

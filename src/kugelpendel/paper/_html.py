@@ -29,7 +29,8 @@ def write(document: Document) -> str:
         f'<section id="{key}">{content}</section>' for key, content in _sections(document, pen)
     )
     return (
-        f'<!DOCTYPE html>\n<html lang="{document.words.language}">\n<head>\n<meta charset="utf-8">\n'
+        f'<!DOCTYPE html>\n<html lang="{document.words.language}">\n<head>\n'
+        '<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f'<link rel="icon" href="data:,">\n<title>{escape(document.title())}</title>\n'
         f"<style>\n{style}</style>\n</head>\n<body>\n{_contents(document, pen)}\n<main>\n"
@@ -59,11 +60,26 @@ def _sections(document: Document, pen: HtmlPen) -> list[tuple[str, str]]:
     found.append(headed("picture", _pictures(document)))
     if document.misprints:
         lead = f"<p>{pen.say(ui('misprints_lead'))}</p>"
-        found.append(headed("misprints", lead + table(misprints(document, pen))))
+        found.append(headed("misprints", lead + table(_merged(misprints(document, pen)))))
     if document.conditions:
         lead = f"<p>{pen.say(ui('conditions_lead'))}</p>"
         found.append(headed("conditions", lead + table(conditions(document, pen))))
     return found
+
+
+def _merged(rows: list[list[str]]) -> list[list[str]]:
+    """Six columns as four: the formulas need the room."""
+    return [
+        [
+            f"{place}<br>{kind}",
+            f"{printed}<br>{right}"
+            if number == 0
+            else f"<del>{printed}</del><br><ins>{right}</ins>",
+            known,
+            goes,
+        ]
+        for number, (place, kind, printed, right, known, goes) in enumerate(rows)
+    ]
 
 
 def _head(document: Document) -> str:
@@ -130,6 +146,6 @@ def _boxes(displays: Iterable[Display]) -> list[Box]:
     boxes: list[Box] = []
     for display in displays:
         style = "numbered" if display.is_numbered else "between"
-        style += " wrong" if display.is_misprinted else ""
+        style += " wrong" if display.has_wrong_formula else ""
         boxes.append(Box(display.label, style, sentence(display.say)))
     return boxes

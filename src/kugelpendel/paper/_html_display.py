@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from kugelpendel.paper import _mathml
 from kugelpendel.paper._difference import difference
 from kugelpendel.paper._html_pen import anchor
-from kugelpendel.paper._tables import fate, in_words
+from kugelpendel.paper._tables import fate, in_words, reasons
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -65,7 +65,12 @@ def _wrong(line: Line, printed: str, document: Document, pen: HtmlPen) -> str:
     if line.formula.is_misprinted:
         shown = f'<p>{ui("printed")}:</p><div class="formula printed" tabindex="0">{printed}</div>'
     notes = "".join(_note(one, document, pen) for one in line.misprints)
-    return f'<aside class="misprint">{head}{shown}{notes}</aside>'
+    style = (
+        "misprint"
+        if shown or any(one.kind != "word" for one in line.misprints)
+        else "misprint slight"
+    )
+    return f'<aside class="{style}">{head}{shown}{notes}</aside>'
 
 
 def _note(one: Misprint, document: Document, pen: HtmlPen) -> str:
@@ -76,11 +81,7 @@ def _note(one: Misprint, document: Document, pen: HtmlPen) -> str:
         parts.append(
             f"<p>{ui('printed')}: <del>{printed}</del><br>{ui('right')}: <ins>{right}</ins></p>"
         )
-    known = f"{pen.say(document.words.misprint(one.key))} {ui('known_' + one.known)}"
-    parts.append(f"<p>{known}</p>")
-    evidence = [pen.math(formula) for formula in document.derivation.evidence(one.key)]
-    if evidence:
-        parts.append(f"<p>{ui('counterexample')}: {', '.join(evidence)}</p>")
+    parts.append(f"<p>{reasons(one, document, pen)}</p>")
     parts.append(f"<p>{fate(one, document, pen)}</p>")
     return f'<div id="misprint-{escape(one.key)}">{"".join(parts)}</div>'
 
@@ -92,6 +93,7 @@ def _steps(display: Display, document: Document, pen: HtmlPen) -> str:
     needed = {one.key for _, step in steps for one in step.conditions}
     badge = f' <span class="badge">{len(needed)} × {ui("condition")}</span>' if needed else ""
     items = "".join(_step(display, lines, step, document, pen) for lines, step in steps)
+    items += _conditions(display, document, pen)
     used = document.used_in(display)
     after = f'<p class="next">{ui("next")} {pen.links(used)}</p>' if used else ""
     return (
@@ -114,17 +116,25 @@ def _step(
         text += f", {ui('by')} {pen.math(step.detail)}"
     if step.neglected:
         text += f". {ui('neglected')}: {ui('order')} {pen.math(step.neglected)}"
-    needed = "".join(_condition(one, document, pen) for one in step.conditions)
-    return f"<p>{text}.</p>" + (f'<ul class="needs">{needed}</ul>' if needed else "")
+    return f"<p>{text}.</p>"
 
 
-def _condition(one: Condition, document: Document, pen: HtmlPen) -> str:
+def _conditions(display: Display, document: Document, pen: HtmlPen) -> str:
+    """Each condition once, however many lines need it."""
+    needed = {one.key: one for _, step in display.steps for one in step.conditions}
+    items = "".join(_condition(one, display, document, pen) for one in needed.values())
+    return f'<ul class="needs">{items}</ul>' if items else ""
+
+
+def _condition(one: Condition, display: Display, document: Document, pen: HtmlPen) -> str:
     ui = document.words.ui
     latex = f" {pen.math(one.latex)}" if one.latex else ""
     silent = f' <em class="silent">({ui("silent_long")})</em>' if one.silent else ""
     fails = ""
-    if one.consequence:
+    if document.explains(one, display):
         told = pen.say(document.words.consequence(one.consequence))
         fails = f"<br>{ui('fails')}: {told}"
+    elif one.consequence:
+        fails = f' <a class="ref" href="#conditions">{ui("fails")} …</a>'
     text = pen.say(document.words.condition(one.key))
     return f"<li>{ui('condition')}{latex}: {text}{silent}{fails}</li>"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from html import escape
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,9 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from kugelpendel.paper._document import Document
+
+_GLUED = re.compile(r"</math>(?=[,.;:)])")
+"""A formula and the punctuation after it, which must not begin a line."""
 
 
 def anchor(label: str) -> str:
@@ -40,11 +44,15 @@ class HtmlPen:
                     written.append(f"<code>{escape(span.text)}</code>")
                 case _:
                     written.append(escape(span.text, quote=False))
-        return "".join(written)
+        return _GLUED.sub("</math>&#8288;", "".join(written))
 
     def math(self, latex: str) -> str:
         """A formula within a sentence."""
         return _mathml.inline(latex)
+
+    def values(self, formulas: Sequence[str]) -> str:
+        """Formulas, separated by commas."""
+        return "&#8288;, ".join(self.math(formula) for formula in formulas)
 
     def link(self, label: str) -> str:
         """A reference, as a link where the document shows what is referred to."""
@@ -65,7 +73,8 @@ def table(rows: Sequence[Sequence[str]]) -> str:
     lines = "".join(
         "<tr>"
         + "".join(
-            f'<td data-head="{name}">{cell}</td>' for name, cell in zip(head, row, strict=True)
+            f'<td data-head="{name.partition("<br>")[0]}">{cell}</td>'
+            for name, cell in zip(head, row, strict=True)
         )
         + "</tr>"
         for row in body

@@ -8,7 +8,8 @@ from kugelpendel.paper import _source
 from kugelpendel.paper._difference import difference
 from kugelpendel.paper._document import counts
 from kugelpendel.paper._prose import spans
-from kugelpendel.paper._tables import conditions, fate, in_words, misprints
+from kugelpendel.paper._tables import conditions, fate, in_words, misprints, reasons
+from kugelpendel.paper._tex import IDENTIFIERS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -23,7 +24,9 @@ _ESCAPES = {
     "{": "\\{", "}": "\\}", "~": "\\textasciitilde{}", "^": "\\textasciicircum{}", "×": "$\\times$",
     "…": "\\dots{}", "−": "$-$",
 }  # fmt: skip
-_TRANSLATED = str.maketrans(_ESCAPES)
+_GREEK = {sign: f"$\\{name}$" for name, sign in IDENTIFIERS.items() if sign.isalpha()}
+_DIGITS = {"₀": "$_0$", "²": "$^2$"}
+_TRANSLATED = str.maketrans(_ESCAPES | _GREEK | _DIGITS)
 _BABEL = {"de": "ngerman", "en": "english"}
 
 _PREAMBLE = """\
@@ -111,6 +114,10 @@ class LatexPen:
         """A formula within a sentence."""
         return f"${latex}$"
 
+    def values(self, formulas: Sequence[str]) -> str:
+        """Formulas, separated by commas."""
+        return ", ".join(self.math(formula) for formula in formulas)
+
     def links(self, labels: Sequence[str]) -> str:
         """References, separated by commas."""
         return ", ".join(
@@ -153,10 +160,7 @@ def _line(
         if in_words(one):
             printed, right = pen.say(words.printed(one)), pen.say(words.right(one))
             text += f"{ui('printed')}: \\emph{{{printed}}} {ui('right')}: \\textbf{{{right}}} "
-        text += f"{pen.say(words.misprint(one.key))} {ui('known_' + one.known)}"
-        evidence = [pen.math(latex) for latex in document.derivation.evidence(one.key)]
-        if evidence:
-            text += f" {ui('counterexample')}: {', '.join(evidence)}."
+        text += reasons(one, document, pen)
         parts.append(f"{text} {fate(one, document, pen)}")
     parts.append("\\end{misprint}")
     return parts
@@ -183,7 +187,7 @@ def _steps(display: Display, document: Document, pen: LatexPen) -> str:
             latex = f" {pen.math(one.latex)}" if one.latex else ""
             silent = f" ({ui('silent_long')})" if one.silent else ""
             text += f" {ui('condition')}{latex}: {pen.say(words.condition(one.key))}{silent}"
-            if one.consequence:
+            if document.explains(one, display):
                 text += f" {ui('fails')}: {pen.say(words.consequence(one.consequence))}"
         lines.append(text)
     body = "\n\n".join(lines)

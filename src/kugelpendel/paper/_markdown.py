@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from kugelpendel.paper import _source
 from kugelpendel.paper._document import counts
 from kugelpendel.paper._prose import spans
-from kugelpendel.paper._tables import conditions, fate, in_words, misprints
+from kugelpendel.paper._tables import conditions, fate, in_words, misprints, reasons
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -74,6 +74,10 @@ class MarkdownPen:
         """A formula within a sentence, in the form that no other sign of Markdown disturbs."""
         return f"$`{latex}`$"
 
+    def values(self, formulas: Sequence[str]) -> str:
+        """Formulas, separated by commas."""
+        return ", ".join(self.math(formula) for formula in formulas)
+
     def links(self, labels: Sequence[str]) -> str:
         """References, separated by commas."""
         return ", ".join(
@@ -111,10 +115,7 @@ def _line(line: Line, display: Display, document: Document, pen: MarkdownPen) ->
         if in_words(one):
             printed, right = pen.say(words.printed(one)), pen.say(words.right(one))
             text += f"{ui('printed')}: ~~{printed}~~ {ui('right')}: **{right}** "
-        text += f"{pen.say(words.misprint(one.key))} {ui('known_' + one.known)}"
-        evidence = [pen.math(latex) for latex in document.derivation.evidence(one.key)]
-        if evidence:
-            text += f" {ui('counterexample')}: {', '.join(evidence)}."
+        text += reasons(one, document, pen)
         parts.append(f"> {text} {fate(one, document, pen)}")
     return parts
 
@@ -141,7 +142,7 @@ def _steps(display: Display, document: Document, pen: MarkdownPen) -> str:
             latex = f" {pen.math(one.latex)}" if one.latex else ""
             silent = f" ({ui('silent_long')})" if one.silent else ""
             text = f"  - {ui('condition')}{latex}: {pen.say(words.condition(one.key))}{silent}"
-            if one.consequence:
+            if document.explains(one, display):
                 text += f" {ui('fails')}: {pen.say(words.consequence(one.consequence))}"
             lines.append(text)
     return "\n".join([*lines, "", "</details>"])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from html import escape
 from typing import TYPE_CHECKING
 
-from kugelpendel.paper._breaks import pieces
+from kugelpendel.paper._breaks import pieces, width
 from kugelpendel.paper._tex import (
     RELATIONS,
     Accent,
@@ -26,13 +26,18 @@ if TYPE_CHECKING:
     from kugelpendel.paper._breaks import Piece
 
 _THIN = '<mspace width="0.17em"></mspace>'
+_SHORT = 14
+"""Signs that a line of text always has room for."""
 _HAIR = '<mspace width="0.1em"></mspace>'
 _ACCENTS = {"\u0307": "˙", "\u0308": "¨", "\u20d7": "→"}
 
 
 def inline(source: str) -> str:
-    """A formula within a sentence."""
-    return _math(read(source).items, display=False)
+    """A formula within a sentence, in pieces as well: it may end a line of the text."""
+    row = read(source)
+    if width(row) < _SHORT:
+        return _math(row.items, display=False)
+    return _pieces(row, display=False)
 
 
 def display(source: str) -> str:
@@ -46,9 +51,15 @@ def display(source: str) -> str:
 
 def written(row: Row) -> str:
     """The same of a formula that has been read, and perhaps marked, already."""
+    return _pieces(row, display=True)
+
+
+def _pieces(row: Row, display: bool) -> str:
+    if not row.items:
+        return ""
     first, *others = pieces(row.items)
-    continued = (_math(piece, display=True, continues=True) for piece in others)
-    return "<wbr>".join([_math(first, display=True), *continued])
+    continued = (_math(piece, display, continues=True) for piece in others)
+    return "<wbr>".join([_math(first, display), *continued])
 
 
 def _math(items: Piece, display: bool, continues: bool = False) -> str:
@@ -176,7 +187,7 @@ def _bracket(bracket: Bracket) -> str:
 
 
 def _script(node: Script) -> str:
-    base = f"<mi>{node.base.text}</mi>" if _is_plain_function(node.base) else _group(node.base)
+    base = _group(node.base)
     after = "<mo>\u2061</mo>" if _is_function(node.base) else ""
     if node.below is not None and node.above is not None:
         return f"<msubsup>{base}{_group(node.below)}{_group(node.above)}</msubsup>{after}"
@@ -189,12 +200,8 @@ def _script(node: Script) -> str:
     return f"<msup>{base}{_group(node.above)}</msup>{after}"
 
 
-def _is_plain_function(node: Node) -> bool:
-    return isinstance(node, Atom) and node.kind == "function"
-
-
 def _group(node: Node) -> str:
     """Exactly one element, as `mfrac` and its like count their children."""
-    written = _node(node)
-    single = isinstance(node, Atom) and node.kind != "function"
-    return written if single else f"<mrow>{written}</mrow>"
+    if isinstance(node, Atom):
+        return f"<mi>{node.text}</mi>" if node.kind == "function" else _atom(node)
+    return f"<mrow>{_node(node)}</mrow>"

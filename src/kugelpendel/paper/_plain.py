@@ -89,7 +89,7 @@ def _stand_apart(before: Node, item: Node) -> bool:
 def _is_open(before: Node) -> bool:
     if isinstance(before, Bracket):
         return before.sign in "([{"
-    return isinstance(before, Atom) and before.kind == "operator" and before.text not in "′"
+    return isinstance(before, Atom) and before.kind == "operator" and before.text != "′"
 
 
 def _is_vector(node: Node) -> bool:

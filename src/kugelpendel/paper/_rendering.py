@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import re
+from functools import cache
 from typing import TYPE_CHECKING
 
 from kugelpendel.paper import _html, _latex, _markdown, _terminal
+from kugelpendel.paper._counterexample import counterexample
 from kugelpendel.paper._document import Derivation, compose
 from kugelpendel.paper._graph import FORMULAS, parts, rests_on
 from kugelpendel.paper._misprints import MISPRINTS
 from kugelpendel.paper._tables import misprints
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from kugelpendel.paper._document import Document
 
 
@@ -62,5 +63,14 @@ def misprint_list(language: str, width: int = 80) -> str:
     return "\n".join(_terminal.listed(rows, width))
 
 
-def _evidence(key: str) -> Sequence[str]:
-    return ()
+@cache
+def _evidence(key: str) -> tuple[tuple[str, ...], str] | None:
+    found = counterexample(key)
+    if found is None:
+        return None
+    values = tuple(f"{name} = {_fraction(value)}" for name, value in found.values)
+    return values, _fraction(found.excess)
+
+
+def _fraction(number: str) -> str:
+    return re.sub(r"(\d+)/(\d+)", r"\\frac{\1}{\2}", number)

@@ -22,6 +22,10 @@ class Pen(Protocol):
         """A formula."""
         ...
 
+    def values(self, formulas: Sequence[str]) -> str:
+        """Formulas, separated by commas."""
+        ...
+
     def links(self, labels: Sequence[str]) -> str:
         """References to formulas."""
         ...
@@ -33,10 +37,7 @@ def misprints(document: Document, pen: Pen) -> list[list[str]]:
     rows = [[ui("place"), ui("kind"), ui("printed"), ui("right"), ui("known"), ui("travels")]]
     for one in document.misprints:
         goes = pen.links(one.travels) if one.travels else ui("stays")
-        known = f"{pen.say(document.words.misprint(one.key))} {ui('known_' + one.known)}"
-        evidence = [pen.math(formula) for formula in document.derivation.evidence(one.key)]
-        if evidence:
-            known += f" {ui('counterexample')}: {', '.join(evidence)}"
+        known = reasons(one, document, pen)
         rows.append(
             [
                 pen.links([one.where]),
@@ -63,6 +64,19 @@ def conditions(document: Document, pen: Pen) -> list[list[str]]:
         fails = document.words.consequence(condition.consequence) if condition.consequence else "–"
         rows.append([text, pen.links(where), pen.say(fails)])
     return rows
+
+
+def reasons(one: Misprint, document: Document, pen: Pen) -> str:
+    """What is wrong, how one knows, and the smallest numbers that show it."""
+    ui = document.words.ui
+    text = f"{pen.say(document.words.misprint(one.key))} {ui('known_' + one.known)}"
+    evidence = document.derivation.evidence(one.key)
+    if evidence is None:
+        return text
+    values, excess = evidence
+    given = pen.values(values)
+    key = "counterexample_is" if "<" in excess else "counterexample"
+    return f"{text} {ui(key, given, pen.math(excess))}"
 
 
 def in_words(one: Misprint) -> bool:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from kugelpendel.paper import _plain
 from kugelpendel.paper._document import counts
 from kugelpendel.paper._prose import spans
-from kugelpendel.paper._tables import conditions, fate, in_words, misprints
+from kugelpendel.paper._tables import conditions, fate, in_words, misprints, reasons
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -41,6 +41,10 @@ class TextPen:
     def math(self, latex: str) -> str:
         """A formula."""
         return _plain.plain(latex)
+
+    def values(self, formulas: Sequence[str]) -> str:
+        """Formulas, separated by commas."""
+        return ", ".join(self.math(formula) for formula in formulas)
 
     def links(self, labels: Sequence[str]) -> str:
         """References, separated by commas."""
@@ -112,12 +116,7 @@ class _Text:
                 printed = self._pen.say(self._words.printed(one))
                 right = self._pen.say(self._words.right(one))
                 text += f"{ui('printed')}: {printed} {ui('right')}: {right} "
-            text += f"{self._pen.say(self._words.misprint(one.key))} {ui('known_' + one.known)}"
-            evidence = [
-                self._pen.math(latex) for latex in self._document.derivation.evidence(one.key)
-            ]
-            if evidence:
-                text += f" {ui('counterexample')}: {', '.join(evidence)}."
+            text += reasons(one, self._document, self._pen)
             text += f" {fate(one, self._document, self._pen)}"
             lines.extend(self._wrapped(text, "    ! "))
         return lines
@@ -145,7 +144,7 @@ class _Text:
                 text = (
                     f"{ui('condition')}{latex}: {self._pen.say(words.condition(one.key))}{silent}"
                 )
-                if one.consequence:
+                if self._document.explains(one, display):
                     told = self._pen.say(words.consequence(one.consequence))
                     text += f" {ui('fails')}: {told}"
                 lines.extend(self._wrapped(text, "      "))
