@@ -27,7 +27,8 @@ def call(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest
     def call(*arguments: str) -> Outcome:
         capsys.readouterr()
         code = main(["derive", *arguments])
-        return Outcome(code, *capsys.readouterr())
+        out, err = capsys.readouterr()
+        return Outcome(code, out, err)
 
     return call
 
