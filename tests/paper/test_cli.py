@@ -66,7 +66,7 @@ def test_markdown_without_a_file(call: Any) -> None:
     ("arguments", "sentence"),
     [
         (["7"], "The derivation has no equation '7'; near it are (6), (6b), (6c), (8)."),
-        (["10.77"], "no equation '10.77'; near it are (9), (10), (10.7), (12)."),
+        (["10.77"], "no equation '10.77'; near it are (10), (10.1), (10.2), (10.7)."),
         (["x"], "no equation 'x'; near it are (1), "),
         (["--lang", "fr"], "in the language 'fr'; choose --lang de or --lang en."),
         (["--format", "pdf"], "'pdf' is not known; choose one of html, md, latex, text."),

@@ -115,7 +115,9 @@ def _step(
     if step.detail:
         text += f", {ui('by')} {pen.math(step.detail)}"
     if step.neglected:
-        text += f". {ui('neglected')}: {ui('order')} {pen.math(step.neglected)}"
+        text += (
+            f". {ui('neglected')}: {document.words.neglected(step.kind)} {pen.math(step.neglected)}"
+        )
     return f"<p>{text}.</p>"
 
 
@@ -133,8 +135,8 @@ def _condition(one: Condition, display: Display, document: Document, pen: HtmlPe
     fails = ""
     if document.explains(one, display):
         told = pen.say(document.words.consequence(one.consequence))
-        fails = f"<br>{ui('fails')}: {told}"
+        fails = f"<br>{document.words.fate(one.consequence)}: {told}"
     elif one.consequence:
-        fails = f' <a class="ref" href="#conditions">{ui("fails")} …</a>'
+        fails = f' <a class="ref" href="#conditions">{document.words.fate(one.consequence)} …</a>'
     text = pen.say(document.words.condition(one.key))
     return f"<li>{ui('condition')}{latex}: {text}{silent}{fails}</li>"

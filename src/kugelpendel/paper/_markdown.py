@@ -136,14 +136,16 @@ def _steps(display: Display, document: Document, pen: MarkdownPen) -> str:
         text += f", {ui('from')} {pen.links(step.premises)}" if step.premises else ""
         text += f", {ui('by')} {pen.math(step.detail)}" if step.detail else ""
         if step.neglected:
-            text += f". {ui('neglected')}: {ui('order')} {pen.math(step.neglected)}"
+            text += f". {ui('neglected')}: {words.neglected(step.kind)} {pen.math(step.neglected)}"
         lines.append(f"{text}.")
         for one in step.conditions:
             latex = f" {pen.math(one.latex)}" if one.latex else ""
             silent = f" ({ui('silent_long')})" if one.silent else ""
             text = f"  - {ui('condition')}{latex}: {pen.say(words.condition(one.key))}{silent}"
             if document.explains(one, display):
-                text += f" {ui('fails')}: {pen.say(words.consequence(one.consequence))}"
+                text += (
+                    f" {words.fate(one.consequence)}: {pen.say(words.consequence(one.consequence))}"
+                )
             lines.append(text)
     return "\n".join([*lines, "", "</details>"])
 

@@ -54,7 +54,7 @@ def misprints(document: Document, pen: Pen) -> list[list[str]]:
 def conditions(document: Document, pen: Pen) -> list[list[str]]:
     """The condition, where it is needed, and what happens where it fails; a head first."""
     ui = document.words.ui
-    rows = [[ui("condition"), ui("needed"), ui("fails")]]
+    rows = [[ui("condition"), ui("needed"), ui("fails_or_holds")]]
     for condition, where in document.conditions:
         text = pen.say(document.words.condition(condition.key))
         if condition.latex:

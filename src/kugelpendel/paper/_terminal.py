@@ -136,7 +136,8 @@ class _Text:
             text += f", {ui('from')} {self._pen.links(step.premises)}" if step.premises else ""
             text += f", {ui('by')} {self._pen.math(step.detail)}" if step.detail else ""
             if step.neglected:
-                text += f". {ui('neglected')}: {ui('order')} {self._pen.math(step.neglected)}"
+                terms = f"{words.neglected(step.kind)} {self._pen.math(step.neglected)}"
+                text += f". {ui('neglected')}: {terms}"
             lines.extend(self._wrapped(f"– {text}.", "    "))
             for one in step.conditions:
                 latex = f" {self._pen.math(one.latex)}" if one.latex else ""
@@ -146,7 +147,7 @@ class _Text:
                 )
                 if self._document.explains(one, display):
                     told = self._pen.say(words.consequence(one.consequence))
-                    text += f" {ui('fails')}: {told}"
+                    text += f" {words.fate(one.consequence)}: {told}"
                 lines.extend(self._wrapped(text, "      "))
         return lines
 

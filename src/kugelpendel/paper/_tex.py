@@ -196,6 +196,10 @@ class _Reader:
             row = self.row(frozenset({closing}))
             self.take(closing)
             return Fence(token, closing, row)
+        if token == "|":
+            row = self.row(frozenset({"|"}))
+            self.take("|")
+            return Fence("|", "|", row)
         if token == "\\{":
             row = self.row(frozenset({"\\}"}))
             self.take("\\}")
@@ -206,7 +210,7 @@ class _Reader:
             return Atom("number", token)
         if token.isalpha():
             return Atom("identifier", token)
-        if token in "+-=<>,.;:/|!*":
+        if token in "+-=<>,.;:/!*":
             return Atom("operator", "−" if token == "-" else token)
         raise self.confused(f"{token} is not known")
 

@@ -66,8 +66,21 @@ class Words:
         return str(self.tables["condition"][key])
 
     def consequence(self, name: str) -> str:
-        """What happens where a condition fails."""
-        return str(self.tables["consequence"][name])
+        """What happens where a condition fails, or why it holds."""
+        table = "holds" if self.is_met(name) else "consequence"
+        return str(self.tables[table][name])
+
+    def is_met(self, name: str) -> bool:
+        """Whether a condition turns out to hold by itself."""
+        return name in self.tables["holds"]
+
+    def fate(self, name: str) -> str:
+        """What stands before the consequence."""
+        return self.ui("holds" if self.is_met(name) else "fails")
+
+    def neglected(self, kind: str) -> str:
+        """What stands before the terms that a kind of step neglects."""
+        return self.ui("terms_with" if kind == "average" else "order")
 
     def printed(self, one: Misprint) -> str:
         """What stands in the paper, as a sentence: a formula between dollars, or German words."""
