@@ -154,6 +154,7 @@ def test_what_is_not_known_is_refused() -> None:
 def test_plain_formulas() -> None:
     assert _plain.plain(r"\Omega = \frac{3}{8} \omega_0 \frac{ab}{l^2}") == "Ω = 3/8 ω₀ ab/l²"
     assert _plain.plain(r"\ddot{\theta} - \dot{\phi}^2 \sin \theta") == "θ̈ − φ̇² sin θ"
+    assert _plain.plain(r"\frac{1}{8l^2} \frac{d}{dt} \dot{x}") == "1/(8l²) d/dt ẋ"
     assert _plain.plain(r"-\sqrt{1 - \frac{\rho^2}{l^2}}") == "−√(1 − ρ²/l²)"
 
 

@@ -68,6 +68,12 @@ class Display:
         grouped = groupby(self.lines, key=lambda line: line.formula.step)
         return tuple((tuple(lines), step) for step, lines in grouped)
 
+    @property
+    def conditions(self) -> tuple[Condition, ...]:
+        """What its steps need, each condition once, however many lines need it."""
+        needed = {one.key: one for _, step in self.steps for one in step.conditions}
+        return tuple(needed.values())
+
 
 @dataclass(frozen=True)
 class Chapter:

@@ -90,7 +90,7 @@ def _steps(display: Display, document: Document, pen: HtmlPen) -> str:
     ui = document.words.ui
     steps = display.steps
     kinds = dict.fromkeys(document.words.kind(step.kind) for _, step in steps)
-    needed = {one.key for _, step in steps for one in step.conditions}
+    needed = display.conditions
     badge = f' <span class="badge">{len(needed)} × {ui("condition")}</span>' if needed else ""
     items = "".join(_step(display, lines, step, document, pen) for lines, step in steps)
     items += _conditions(display, document, pen)
@@ -122,9 +122,7 @@ def _step(
 
 
 def _conditions(display: Display, document: Document, pen: HtmlPen) -> str:
-    """Each condition once, however many lines need it."""
-    needed = {one.key: one for _, step in display.steps for one in step.conditions}
-    items = "".join(_condition(one, display, document, pen) for one in needed.values())
+    items = "".join(_condition(one, display, document, pen) for one in display.conditions)
     return f'<ul class="needs">{items}</ul>' if items else ""
 
 

@@ -156,7 +156,7 @@ def _line(
         printed, _ = difference(formula.printed, formula.right)
         parts.append(f"{ui('printed')}:\n{_equation(_source.written(printed, _ROOM - 8))}")
     for one in line.misprints:
-        text = f"{ui('misprint_' + one.kind)}. "
+        text = f"{words.misprint_kind(one.kind)}. "
         if in_words(one):
             printed, right = pen.say(words.printed(one)), pen.say(words.right(one))
             text += f"{ui('printed')}: \\emph{{{printed}}} {ui('right')}: \\textbf{{{right}}} "
@@ -183,14 +183,13 @@ def _steps(display: Display, document: Document, pen: LatexPen) -> str:
         if step.neglected:
             text += f". {ui('neglected')}: {words.neglected(step.kind)} {pen.math(step.neglected)}"
         text += "."
-        for one in step.conditions:
-            latex = f" {pen.math(one.latex)}" if one.latex else ""
-            silent = f" ({ui('silent_long')})" if one.silent else ""
-            text += f" {ui('condition')}{latex}: {pen.say(words.condition(one.key))}{silent}"
-            if document.explains(one, display):
-                text += (
-                    f" {words.fate(one.consequence)}: {pen.say(words.consequence(one.consequence))}"
-                )
+        lines.append(text)
+    for one in display.conditions:
+        latex = f" {pen.math(one.latex)}" if one.latex else ""
+        silent = f" ({ui('silent_long')})" if one.silent else ""
+        text = f"{ui('condition')}{latex}: {pen.say(words.condition(one.key))}{silent}"
+        if document.explains(one, display):
+            text += f" {words.fate(one.consequence)}: {pen.say(words.consequence(one.consequence))}"
         lines.append(text)
     body = "\n\n".join(lines)
     return f"\\begin{{steps}}\n{body}\n\\end{{steps}}"

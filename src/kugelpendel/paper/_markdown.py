@@ -111,7 +111,7 @@ def _line(line: Line, display: Display, document: Document, pen: MarkdownPen) ->
         block = _block(formula.printed).replace("\n", "\n> ")
         parts.append(f"> {ui('printed')}:\n>\n> {block}")
     for one in line.misprints:
-        text = f"{ui('misprint_' + one.kind)}. "
+        text = f"{words.misprint_kind(one.kind)}. "
         if in_words(one):
             printed, right = pen.say(words.printed(one)), pen.say(words.right(one))
             text += f"{ui('printed')}: ~~{printed}~~ {ui('right')}: **{right}** "
@@ -138,15 +138,13 @@ def _steps(display: Display, document: Document, pen: MarkdownPen) -> str:
         if step.neglected:
             text += f". {ui('neglected')}: {words.neglected(step.kind)} {pen.math(step.neglected)}"
         lines.append(f"{text}.")
-        for one in step.conditions:
-            latex = f" {pen.math(one.latex)}" if one.latex else ""
-            silent = f" ({ui('silent_long')})" if one.silent else ""
-            text = f"  - {ui('condition')}{latex}: {pen.say(words.condition(one.key))}{silent}"
-            if document.explains(one, display):
-                text += (
-                    f" {words.fate(one.consequence)}: {pen.say(words.consequence(one.consequence))}"
-                )
-            lines.append(text)
+    for one in display.conditions:
+        latex = f" {pen.math(one.latex)}" if one.latex else ""
+        silent = f" ({ui('silent_long')})" if one.silent else ""
+        text = f"  - {ui('condition')}{latex}: {pen.say(words.condition(one.key))}{silent}"
+        if document.explains(one, display):
+            text += f" {words.fate(one.consequence)}: {pen.say(words.consequence(one.consequence))}"
+        lines.append(text)
     return "\n".join([*lines, "", "</details>"])
 
 

@@ -117,7 +117,7 @@ def _node(node: Node) -> str:
         case Row():
             return _row(node)
         case Fraction(above, below):
-            return f"{_operand(above)}/{_operand(below)}"
+            return f"{_operand(above)}/{_divisor(below)}"
         case Root(inner):
             return f"√{_operand(inner)}"
         case Script():
@@ -139,6 +139,13 @@ def _operand(node: Node) -> str:
     text = _node(node).strip()
     simple = isinstance(node, Atom | Script | Accent | Fence) or text.isalnum()
     return text if simple else f"({text})"
+
+
+def _divisor(node: Node) -> str:
+    """What is divided by: a product in brackets, but for the dt of d/dt."""
+    text = _node(node).strip()
+    is_product = isinstance(node, Row) and len(node.items) > 1
+    return f"({text})" if is_product and text != "dt" else text
 
 
 def _script(node: Script) -> str:

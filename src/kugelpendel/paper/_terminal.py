@@ -111,7 +111,7 @@ class _Text:
             lines.append(f"    ! {ui('printed')}:")
             lines.extend(f"    !{text}" for text in self._formula(formula.printed))
         for one in line.misprints:
-            text = f"{ui('misprint_' + one.kind)}. "
+            text = f"{self._words.misprint_kind(one.kind)}. "
             if in_words(one):
                 printed = self._pen.say(self._words.printed(one))
                 right = self._pen.say(self._words.right(one))
@@ -139,16 +139,14 @@ class _Text:
                 terms = f"{words.neglected(step.kind)} {self._pen.math(step.neglected)}"
                 text += f". {ui('neglected')}: {terms}"
             lines.extend(self._wrapped(f"– {text}.", "    "))
-            for one in step.conditions:
-                latex = f" {self._pen.math(one.latex)}" if one.latex else ""
-                silent = f" ({ui('silent_long')})" if one.silent else ""
-                text = (
-                    f"{ui('condition')}{latex}: {self._pen.say(words.condition(one.key))}{silent}"
-                )
-                if self._document.explains(one, display):
-                    told = self._pen.say(words.consequence(one.consequence))
-                    text += f" {words.fate(one.consequence)}: {told}"
-                lines.extend(self._wrapped(text, "      "))
+        for one in display.conditions:
+            latex = f" {self._pen.math(one.latex)}" if one.latex else ""
+            silent = f" ({ui('silent_long')})" if one.silent else ""
+            text = f"{ui('condition')}{latex}: {self._pen.say(words.condition(one.key))}{silent}"
+            if self._document.explains(one, display):
+                told = self._pen.say(words.consequence(one.consequence))
+                text += f" {words.fate(one.consequence)}: {told}"
+            lines.extend(self._wrapped(text, "      "))
         return lines
 
 

@@ -82,6 +82,11 @@ class Words:
         """What stands before the terms that a kind of step neglects."""
         return self.ui("terms_with" if kind == "average" else "order")
 
+    def misprint_kind(self, kind: str) -> str:
+        """What sort of misprint it is, to begin a sentence with."""
+        text = self.ui(f"misprint_{kind}")
+        return text[:1].upper() + text[1:]
+
     def printed(self, one: Misprint) -> str:
         """What stands in the paper, as a sentence: a formula between dollars, or German words."""
         return quoted(one.printed)
