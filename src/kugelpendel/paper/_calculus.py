@@ -31,6 +31,7 @@ from ._symbols import (
     Omega,
     a,
     b,
+    l,
     omega,
     omega0,
     phi,
@@ -204,10 +205,11 @@ def is_constant_multiple(first: Expr, second: Expr) -> bool:
         return is_zero(first)
     symbols = sorted((first.free_symbols | second.free_symbols) - {theta, phi}, key=str)
     point = {s: Rational(3 * k + 2, 2 * k + 3) for k, s in enumerate(symbols, 1)}
+    point |= {l: Rational(31, 5)}  # longer than all that is measured by it: roots are real
     above, below = carry_out(first).evalf(30, subs=point), carry_out(second).evalf(30, subs=point)
     angle = {theta: Rational(7, 10), phi: Rational(11, 10)}
     above, below = above.evalf(30, subs=angle), below.evalf(30, subs=angle)
-    if not (above.is_number and below.is_number and below != 0 and above != 0):
+    if not (above.is_Float and below.is_Float and below != 0 and above != 0):
         return False
     ratio = Rational(str((above / below).round(12))).limit_denominator(64)
     return ratio != 0 and is_zero(first - ratio * second)

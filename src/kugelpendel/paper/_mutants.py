@@ -64,7 +64,7 @@ def mutants(one: Formula, right: Relation) -> tuple[Mutant, ...]:
     found: dict[Relation, Mutant] = {}
     sides = (("lhs", right.lhs), ("rhs", right.rhs))
     for name, side in sides:
-        if name == "lhs" and one.head:
+        if name == "lhs" and one.head and right.rhs != 0:
             continue
         for change, spoilt in chain(whole(side), _spoilt(side)):
             pair = (spoilt, right.rhs) if name == "lhs" else (right.lhs, spoilt)

@@ -142,6 +142,8 @@ class _Reader:
         if token == "{":
             token = self.take()
             self.take("}")
+        if not token.isdigit():
+            raise NotationError(f"{self._latex!r} has the exponent {token!r}, not a number.")
         return Integer(int(token))
 
     def _atom(self) -> Expr:

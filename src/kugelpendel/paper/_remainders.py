@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 from . import _symbols as s
 from ._algebra import Expr, diff, factor, sqrt
@@ -37,6 +38,7 @@ def motion() -> dict[Expr, Expr]:
     return rules
 
 
+@cache
 def remainders() -> tuple[Remainder, ...]:
     """Of every step that neglects something, in the paper's order."""
     rho = {s.rho: sqrt(s.x**2 + s.y**2)}

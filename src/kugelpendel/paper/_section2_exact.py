@@ -39,7 +39,7 @@ def _completed(relation: Relation, p: Premises) -> list[Expr]:
 
 
 def _from_9(p: Premises) -> Rules:
-    return {s.ydd: p["9:2"].rhs / s.x}
+    return {s.ydd: p["9:2"].rhs / (p["9:2"].lhs / s.ydd)}
 
 
 def _without_y_acceleration(p: Premises) -> Expr:

@@ -296,27 +296,46 @@ def balanced(seed: int, exponent: int) -> World:
     constants = _slow_constants(rng, exponent)
     eps = mpf(10) ** (-exponent)
 
-    def imbalance(shift: Number, turning: Number) -> tuple[Number, Number]:
+    def imbalance(shift: Number, turning: Number) -> Any:
         constants[s.omega] = mp.sqrt(constants[s.omega0] ** 2 + eps**2 * shift)
         constants[s.Omega] = eps**2 * turning
-        return tuple(value / eps**3 for value in _first_harmonics(constants))
+        return mp.matrix([value / eps**3 for value in _first_harmonics(constants)])
 
-    shift, turning = mp.findroot(imbalance, (mpf(-0.1), mpf(0.1)), tol=mpf(10) ** (-90))
-    imbalance(shift, turning)
+    # linear but for terms of order ε²: four steps with one slope, each 2·EXPONENT digits better
+    origin = imbalance(mpf(0), mpf(0))
+    slope = mp.matrix(2, 2)
+    slope[:, 0] = imbalance(mpf(1), mpf(0)) - origin
+    slope[:, 1] = imbalance(mpf(0), mpf(1)) - origin
+    found = mp.matrix(2, 1)
+    for _ in range(2 + mp.dps // (2 * exponent)):
+        found -= mp.lu_solve(slope, imbalance(found[0], found[1]))
+    imbalance(found[0], found[1])
     return _ellipse(constants, _draw(rng, 0.3, 1.2), _draw(rng, 0.3, 1.2))
 
 
 def _first_harmonics(constants: dict[Expr, Number], beats: int = 8) -> tuple[Number, Number]:
-    """Of the left side of (13a), as cos ωt cos Ωt and sin ωt sin Ωt: by sums over a swing."""
+    """Of the left side of (13a), as cos ωt cos Ωt and sin ωt sin Ωt: by sums over a swing.
+
+    The motion is that of two counter-rotating wheels; a rate multiplies each by i times its own.
+    """
     rate, length = constants[s.omega0], constants[s.l]
+    a, b = constants[s.a], constants[s.b]
+    fast, slow = constants[s.omega], constants[s.Omega]
+    wheels = (((a + b) / 2, slow + fast, 1), ((a - b) / 2, slow - fast, -1))
     sums: list[Number] = []
     for turn, weight in ((mpf(0), mp.cos), (mp.pi / 2, mp.sin)):
         total = mpf(0)
         for beat in range(beats):
             swing = 2 * mp.pi * beat / beats
-            world = _ellipse(constants, swing, turn)
-            px, py, vx, vy, ax = (world.value(q) for q in (s.x, s.y, s.xd, s.yd, s.xdd))
-            pull = ax + rate**2 * px - rate**2 * px * (px**2 + py**2) / (2 * length**2)
-            total += (pull + px * (vx**2 + vy**2) / length**2) * weight(swing)
+            plan = [
+                sum(
+                    size * mpc(0, own) ** k * mp.expj(turn + way * swing)
+                    for size, own, way in wheels
+                )
+                for k in range(3)
+            ]
+            place, speed, push = plan
+            pull = push.real + rate**2 * place.real * (1 - abs(place) ** 2 / (2 * length**2))
+            total += (pull + place.real * abs(speed) ** 2 / length**2) * weight(swing)
         sums.append(2 * total / beats)
     return sums[0], sums[1]
