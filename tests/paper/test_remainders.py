@@ -3,8 +3,10 @@
 import pytest
 
 from kugelpendel import paper
-from kugelpendel.paper._calculus import is_zero
+from kugelpendel.paper._algebra import sqrt
+from kugelpendel.paper._calculus import EPS, is_zero, taylor
 from kugelpendel.paper._numeric import measured_order
+from kugelpendel.paper._symbols import a, b, l, omega0
 from kugelpendel.paper._worlds import balanced, dynamic, ellipse
 
 REMAINDERS = {one.label: one for one in paper.remainders()}
@@ -34,6 +36,15 @@ def test_measured_order_of_the_remainder(label: str) -> None:
 def test_measured_order_of_the_results(label: str, order: int) -> None:
     """Against ω and Ω at which the first harmonics of (13a) cancel, with Ω² and all."""
     assert abs(measured_order(paper.right(label), balanced) - order) < 1e-20
+
+
+def test_19_is_confirmed_by_25_and_26() -> None:
+    """(19) is assumed before it is known: |ω − ω0|/ω0 is (a² + b²)/16l², Ω/ω0 is 3ab/8l²."""
+    frequency = taylor(sqrt(paper.right("26").rhs.xreplace({a: EPS * a, b: EPS * b})) / omega0, 2)
+    assert is_zero(frequency[1])
+    assert is_zero(frequency[2] + (a**2 + b**2) / (16 * l**2))
+    turning = paper.right("25").rhs / omega0
+    assert is_zero(turning - 3 * a * b / (8 * l**2))
 
 
 def test_every_neglecting_step_says_what_it_neglects() -> None:

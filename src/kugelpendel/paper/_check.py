@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
+from contextlib import suppress
 from multiprocessing import get_context
 from time import perf_counter
 from typing import Literal
@@ -47,9 +48,15 @@ def check(
     if not parallel or workers < 2:
         return tuple(_note(examined(label), rows, len(wanted), progress) for label in wanted)
     # spawn: a forked child of a process with threads (a progress bar's) may hang
-    with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
+    with (
+        ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool,
+        suppress(BrokenExecutor),
+    ):
         for row in pool.map(examined, wanted):
             _note(row, rows, len(wanted), progress)
+    # where no process can be started (a script read from standard input), this one goes on
+    for label in wanted[len(rows) :]:
+        _note(examined(label), rows, len(wanted), progress)
     return tuple(rows)
 
 
