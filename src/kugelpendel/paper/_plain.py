@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
+from unicodedata import normalize
 
 from kugelpendel.paper._breaks import lines
 from kugelpendel.paper._prose import spans
@@ -48,7 +49,7 @@ def _continued(line: str) -> str:
 
 def written(items: Piece) -> str:
     """Text of things that have been read already."""
-    return " ".join(_row(Row(items)).split())
+    return normalize("NFC", " ".join(_row(Row(items)).split()))
 
 
 def _row(row: Row) -> str:
