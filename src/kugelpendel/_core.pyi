@@ -41,7 +41,11 @@ class HarmonicMotions:
     def sample(self, start: float, step: float, count: int) -> _Numbers: ...
 
 def integrated(
-    pendulum: Sequence[float], equation: str, launch: Sequence[float], times: _Numbers, velocity: bool
+    pendulum: Sequence[float],
+    equation: str,
+    launch: Sequence[float],
+    times: _Numbers,
+    velocity: bool,
 ) -> tuple[_Numbers, float | None]: ...
 def integrated_span(
     pendulum: Sequence[float], equation: str, launch: Sequence[float], period: float

@@ -1,4 +1,4 @@
-"""The command line: ``kugelpendel run FILE.toml``, ``compare FILE.toml`` and ``validity``.
+"""The command line: ``kugelpendel run FILE.toml``, ``compare``, ``validity`` and ``derive``.
 
 Nothing heavy is imported before a command needs it, so that ``kugelpendel --help`` answers at once.
 """

@@ -7,7 +7,7 @@ import os
 import signal
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -33,6 +33,11 @@ A job file looks like this; quantities have a unit or are plain SI numbers:
   step = "0.1 s"        # or samples = 36001
 """
 
+_DERIVE: dict[str, Any] = {
+    "description": "The derivation of the precession, from Newton's law on, with every step.",
+    "epilog": "kugelpendel derive --format html writes the page to read or print.",
+}
+
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line.
@@ -45,7 +50,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns
     -------
     int
-        Exit code: 0, 2 for bad input (with a sentence on stderr), 130 when interrupted.
+        Exit code: 0, 1 when a proof fails, 2 for bad input (with a sentence on stderr), 130 when
+        interrupted.
     """
     parser = _parser()
     given = parser.parse_args(arguments)
@@ -72,8 +78,9 @@ def _run(given: argparse.Namespace) -> int:
         from kugelpendel import InvalidInput
     except ImportError as missing:
         return _refuse(_not_installed(missing, given.command))
+    code = 0
     try:
-        _COMMANDS[given.command](given)
+        code = _COMMANDS[given.command](given)
         sys.stdout.flush()
     except InvalidInput as error:
         return _refuse(str(error))
@@ -85,34 +92,58 @@ def _run(given: argparse.Namespace) -> int:
     except BrokenPipeError:
         # The reader of a pipe, such as `head`, has had enough; all files are written by now.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    return 0
+    return code
 
 
-def _do_run(given: argparse.Namespace) -> None:
+def _do_run(given: argparse.Namespace) -> int:
     from kugelpendel.cli._run import run
 
     run(given.file, given.out, given.json, given.format)
+    return 0
 
 
-def _do_compare(given: argparse.Namespace) -> None:
+def _do_compare(given: argparse.Namespace) -> int:
     from kugelpendel.cli._compare import compare
 
     compare(given.file, given.out, given.json)
+    return 0
 
 
-def _do_validity(given: argparse.Namespace) -> None:
+def _do_validity(given: argparse.Namespace) -> int:
     from kugelpendel.cli._validity import validity
 
     validity(given.length, given.a, given.b, given.out)
+    return 0
 
 
-_COMMANDS = {"run": _do_run, "compare": _do_compare, "validity": _do_validity}
+def _do_derive(given: argparse.Namespace) -> int:
+    from kugelpendel.cli._derive import derive, list_misprints, refuse_mixture
+
+    refuse_mixture(given.check, given.misprints, given.equation, given.format, given.out)
+    if given.check:
+        from kugelpendel.cli._proofs import check
+
+        return check(given.equation, given.lang)
+    if given.misprints:
+        list_misprints(given.lang)
+    else:
+        derive(given.equation, given.lang, given.format, given.out)
+    return 0
+
+
+_COMMANDS = {
+    "run": _do_run,
+    "compare": _do_compare,
+    "validity": _do_validity,
+    "derive": _do_derive,
+}
 
 
 def _not_installed(missing: ImportError, command: str) -> str:
+    extra = "paper" if command == "derive" else "run"
     return (
         f"{missing.name or missing} is not installed, and `kugelpendel {command}` needs it: "
-        "python -m pip install 'kugelpendel[run]'"
+        f"python -m pip install 'kugelpendel[{extra}]'"
     )
 
 
@@ -166,6 +197,7 @@ def _parser() -> argparse.ArgumentParser:
     validity.add_argument(
         "--out", type=Path, metavar="FILE.png", help="draw the map; .svg and .pdf do as well"
     )
+    _add_derive(commands.add_parser("derive", help="show or check why it is true", **_DERIVE))
     return parser
 
 
@@ -179,4 +211,27 @@ def _takes_a_job(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument(
         "--json", action="store_true", help="print the results as JSON, and nothing else, on stdout"
+    )
+
+
+def _add_derive(derive: argparse.ArgumentParser) -> None:
+    derive.add_argument(
+        "equation",
+        nargs="?",
+        metavar="EQUATION",
+        help="such as 25: show only this one and what it rests on (default: everything)",
+    )
+    derive.add_argument("--lang", metavar="de|en", help="language (default: that of the locale)")
+    derive.add_argument(
+        "--format", metavar="html|md|latex|text", help="default: by the name of the file, or text"
+    )
+    derive.add_argument(
+        "--out",
+        type=Path,
+        metavar="FILE",
+        help="file to write (default: the terminal; derivation.LANG.html for html)",
+    )
+    derive.add_argument("--misprints", action="store_true", help="list the misprints of the paper")
+    derive.add_argument(
+        "--check", action="store_true", help="run all proofs; the exit code is 1 if one fails"
     )

@@ -1,0 +1,39 @@
+"""Sentences of the wording: words, formulas, links to equations, emphasis, code."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+_SPAN = re.compile(
+    r"\$(?P<math>[^$]+)\$|\{(?P<link>[^{}]+)\}|\*(?P<stress>[^*]+)\*|`(?P<code>[^`]+)`"
+)
+
+
+@dataclass(frozen=True)
+class Span:
+    """A stretch of a sentence.
+
+    Attributes
+    ----------
+    kind : str
+        "text", "math" (LaTeX), "link" (a label), "stress" or "code".
+    """
+
+    kind: str
+    text: str
+
+
+def spans(sentence: str) -> tuple[Span, ...]:
+    """Take a sentence of the wording apart."""
+    found: list[Span] = []
+    end = 0
+    for match in _SPAN.finditer(sentence):
+        if match.start() > end:
+            found.append(Span("text", sentence[end : match.start()]))
+        kind = match.lastgroup or "text"
+        found.append(Span(kind, match[kind]))
+        end = match.end()
+    if end < len(sentence):
+        found.append(Span("text", sentence[end:]))
+    return tuple(found)

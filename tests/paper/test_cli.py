@@ -1,0 +1,185 @@
+"""``kugelpendel derive``: documents, proofs, misprints, and what it refuses."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from kugelpendel import paper
+from kugelpendel.cli import main
+from kugelpendel.cli._derive import known_language, nearest
+from kugelpendel.cli._proofs import table
+
+
+class Outcome:
+    def __init__(self, code: int, out: str, err: str) -> None:
+        self.code, self.out, self.err = code, out, err
+
+
+@pytest.fixture
+def call(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("LC_ALL", "C.UTF-8")
+
+    def call(*arguments: str) -> Outcome:
+        capsys.readouterr()
+        code = main(["derive", *arguments])
+        out, err = capsys.readouterr()
+        return Outcome(code, out, err)
+
+    return call
+
+
+def test_text_on_the_terminal(call: Any) -> None:
+    outcome = call("25")
+    assert outcome.code == 0
+    assert "Ω = 3/8 ω₀ ab/l²" in outcome.out
+    assert outcome.out.startswith("What (25) rests on")
+    assert "m r⃗̈ = mg e⃗_z − T e⃗_r" in outcome.out
+    assert "\n(26)  " not in outcome.out
+
+
+@pytest.mark.parametrize(
+    ("name", "start"),
+    [("a.html", "<!DOCTYPE html>"), ("a.md", "# "), ("a.tex", "\\documentclass"), ("a.txt", "W")],
+)
+def test_format_by_the_name(call: Any, tmp_path: Path, name: str, start: str) -> None:
+    outcome = call("5b", "--lang", "de", "--out", name)
+    assert outcome.code == 0
+    assert outcome.out == f"Geschrieben: {name}\n"
+    assert (tmp_path / name).read_text(encoding="utf-8").startswith(start)
+
+
+def test_html_has_a_file_by_default(call: Any, tmp_path: Path) -> None:
+    assert call("(3)", "--format", "html").code == 0
+    assert [path.name for path in tmp_path.iterdir()] == ["derivation-3.en.html"]
+
+
+def test_markdown_without_a_file(call: Any) -> None:
+    assert call("3", "--format", "md").out == paper.document("en", "md", "3")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["7"], "The derivation has no equation '7'; near it are (6), (6b), (6c), (8)."),
+        (["10.77"], "no equation '10.77'; near it are (10), (10.1), (10.2), (10.7)."),
+        (["x"], "no equation 'x'; near it are (1), "),
+        (["--lang", "fr"], "in the language 'fr'; choose --lang de or --lang en."),
+        (["--format", "pdf"], "'pdf' is not known; choose one of html, md, latex, text."),
+        (["--out", "a.doc"], "a.doc does not tell the format; end it in .html, .md, .tex, .txt"),
+        (["3", "--out", "no/a.html"], "no/a.html cannot be written: No such file or directory"),
+        (["3", "--format", "md", "--out", "."], "cannot be written: it is a folder"),
+        (["--check", "--misprints"], "--check and --misprints are two commands"),
+        (["--check", "--out", "a.txt"], "leave out --out."),
+        (["3", "--misprints", "--format", "md"], "leave out --format and the equation."),
+        (["--check", "7"], "no equation '7'"),
+    ],
+)
+def test_bad_input(call: Any, tmp_path: Path, arguments: list[str], sentence: str) -> None:
+    outcome = call(*arguments)
+    assert outcome.code == 2
+    assert outcome.out == ""
+    assert sentence in outcome.err
+    assert outcome.err.startswith("kugelpendel: ")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_was_there_stays_when_writing_fails(
+    call: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "a.md").write_text("before")
+
+    def fail(self: Path, target: Path) -> Path:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(Path, "replace", fail)
+    outcome = call("3", "--out", "a.md")
+    assert outcome.code == 2
+    assert "No space left on device; choose another file with --out." in outcome.err
+    assert [path.name for path in tmp_path.iterdir()] == ["a.md"]
+    assert (tmp_path / "a.md").read_text() == "before"
+
+
+@pytest.mark.parametrize(
+    ("environment", "language"),
+    [
+        ({}, "en"),
+        ({"LANG": "de_AT.UTF-8"}, "de"),
+        ({"LANG": "de_DE.UTF-8", "LC_ALL": "C"}, "en"),
+        ({"LC_MESSAGES": "de_DE", "LANG": "en_GB"}, "de"),
+    ],
+)
+def test_language_of_the_locale(environment: dict[str, str], language: str) -> None:
+    assert known_language(None, environment) == language
+
+
+def test_nearest_are_in_order() -> None:
+    displays = ["1", "6", "6.1", "6.2", "8", "9"]
+    assert nearest("6.7", displays) == ["6", "6.1", "6.2", "8"]
+
+
+@pytest.mark.parametrize("language", ["de", "en"])
+def test_misprints_are_listed(call: Any, language: str) -> None:
+    outcome = call("--misprints", "--lang", language)
+    assert outcome.code == 0
+    for misprint in paper.MISPRINTS:
+        assert f"({misprint.where.partition(':')[0]}" in outcome.out
+    assert "x/l⁴" in outcome.out
+
+
+def test_check_of_what_leads_to_one_equation(call: Any) -> None:
+    outcome = call("3", "--check", "--lang", "en")
+    assert outcome.code == 0
+    lines = outcome.out.splitlines()
+    assert lines[0].split() == ["Formula", "step", "symbolic", "numeric", "mutants", "rejected"]
+    assert [line.split()[0] for line in lines[2:6]] == ["(2:x)", "(2:y)", "(2:z)", "(3)"]
+    assert "4 of 4 formulas proved both ways." in lines
+    assert lines[-1].endswith("0 survived.")
+
+
+def test_a_failure_is_shown_and_is_the_exit_code(
+    call: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    row = paper.Row("12", paper.Kind.MULTIPLY, False, True, 3, 1, ("+ for −",), 0.1)
+    lines = table([row], paper.words("en"))
+    assert lines[2].split()[:4] == ["(12)", "Multiply", "FAILS", "yes"]
+    assert lines[-2:] == [
+        "5 mutants: 3 rejected, 1 proved to say the same, 1 survived.",
+        "(12) + for −",
+    ]
+
+    def check(**_: object) -> tuple[paper.Row, ...]:
+        return (row,)
+
+    monkeypatch.setattr(paper, "check", check, raising=False)
+    assert call("--check").code == 1
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["derive", "--help"]])
+def test_help_imports_nothing_heavy(arguments: list[str]) -> None:
+    program = (
+        "import sys\n"
+        "from kugelpendel.cli import main\n"
+        "try:\n"
+        f"    main({arguments!r})\n"
+        "except SystemExit:\n"
+        "    pass\n"
+        "print(*sorted({name.split('.')[0] for name in sys.modules}), file=sys.stderr)\n"
+    )
+    environment = {**os.environ, "COLUMNS": "100"}
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True, env=environment
+    )
+    assert not set(done.stderr.split()) & {"sympy", "mpmath", "numpy", "rich"}
+    assert "derive" in done.stdout
+
+
+def test_missing_extra_is_a_sentence(call: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "kugelpendel.cli._derive", None)
+    outcome = call("3")
+    assert outcome.code == 2
+    assert "python -m pip install 'kugelpendel[paper]'" in outcome.err

@@ -1,0 +1,217 @@
+"""Every formula stands in every document, in both languages; a page needs nothing else."""
+
+import re
+import shutil
+import subprocess
+import xml.etree.ElementTree as ElementTree
+from functools import cache
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from kugelpendel import paper
+from kugelpendel.paper import _mathml, _plain, _source
+from kugelpendel.paper._difference import difference
+from kugelpendel.paper._tex import Marked, Row, UnknownTeX, read
+
+LANGUAGES = ("de", "en")
+FORMS = ("html", "md", "latex", "text")
+VOID = {"meta", "link", "br", "wbr"}
+
+
+@cache
+def document(language: str, form: str, target: str = "") -> str:
+    return paper.document(language, form, target)
+
+
+def squeezed(text: str) -> str:
+    """Without what breaks a formula over lines."""
+    return re.sub(r"\s+|^> ?", "", text, flags=re.MULTILINE)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("form", FORMS)
+def test_every_formula_stands_in_every_document(language: str, form: str) -> None:
+    text = squeezed(document(language, form))
+    writes = {
+        "html": lambda tex: _mathml.written(difference(tex, tex)[1]),
+        "md": lambda tex: _source.display(tex, 70),
+        "latex": lambda tex: _source.display(tex, 62),
+        "text": lambda tex: "\n".join(_plain.broken(tex, 68)),
+    }
+    for formula in paper.FORMULAS:
+        if form == "html" and formula.is_misprinted:
+            printed, right = difference(formula.printed, formula.right)
+            assert squeezed(_mathml.written(printed)) in text, formula.label
+            assert squeezed(_mathml.written(right)) in text, formula.label
+        else:
+            assert squeezed(writes[form](formula.right)) in text, formula.label
+            if formula.is_misprinted and form == "md":
+                assert squeezed(writes[form](formula.printed)) in text, formula.label
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_misprints_are_marked_in_place(language: str) -> None:
+    page = document(language, "html")
+    for misprint in paper.MISPRINTS:
+        (before,) = [
+            label
+            for label, content in re.findall(
+                r'data-label="([^"]*)">(.*?)(?=data-label=|</main>)', page, flags=re.DOTALL
+            )
+            if f'<div id="misprint-{misprint.key}">' in content
+        ]
+        assert before.partition(":")[0] == misprint.where.partition(":")[0]
+    for formula in paper.FORMULAS:
+        if formula.is_misprinted:
+            _, right = difference(formula.printed, formula.right)
+            assert 'class="differs"' in page
+            assert _marks(right) or _marks(difference(formula.printed, formula.right)[0])
+
+
+def _marks(row: Row) -> int:
+    return repr(row).count(Marked.__name__)
+
+
+@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_reasons_and_counterexamples_are_given(language: str, form: str) -> None:
+    text = squeezed(document(language, form))
+    word = {"de": "Gegenbeispiel", "en": "counterexample"}[language]
+    shown = [one for one in paper.MISPRINTS if paper.counterexample(one.key) is not None]
+    assert text.count(word) >= 2 * len(shown)
+
+
+class _Balance(HTMLParser):
+    """Checks that every element is closed where it should be, and collects ids and links."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.ids: list[str] = []
+        self.links: list[str] = []
+        self.outside: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag not in VOID:
+            self.open.append(tag)
+        for name, value in attrs:
+            if name == "id":
+                self.ids.append(value or "")
+            if name in ("href", "src", "xlink:href", "action", "srcset", "data"):
+                (self.links if (value or "").startswith("#") else self.outside).append(value or "")
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.handle_starttag(tag, attrs)
+        if tag not in VOID:
+            self.open.pop()
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open, f"</{tag}> closes nothing"
+        assert self.open.pop() == tag, f"</{tag}> closes another element"
+
+
+@pytest.mark.parametrize("target", ["", "25", "5a", "10.7"])
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_page_is_well_formed_and_needs_nothing_else(language: str, target: str) -> None:
+    page = document(language, "html", target)
+    reader = _Balance()
+    reader.feed(page)
+    reader.close()
+    assert reader.open == []
+    assert len(set(reader.ids)) == len(reader.ids)
+    assert {link.removeprefix("#") for link in reader.links} <= set(reader.ids)
+    assert reader.outside == ["data:,"]
+    without_names = page.replace("http://www.w3.org/1998/Math/MathML", "")
+    assert not re.search(r"https?://|url\(|@import|fetch\(", without_names)
+    assert f'<html lang="{language}">' in page
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_mathml_is_well_formed(language: str) -> None:
+    formulas = re.findall(r"<math.*?</math>", document(language, "html"), flags=re.DOTALL)
+    assert len(formulas) > 500
+    counts = {"mfrac": 2, "msup": 2, "msub": 2, "msubsup": 3, "mover": 2}
+    for formula in formulas:
+        for element in ElementTree.fromstring(formula).iter():
+            if element.tag in counts:
+                assert len(element) == counts[element.tag], formula
+
+
+def test_formulas_are_written_as_they_were_read() -> None:
+    for formula in paper.FORMULAS:
+        for latex in (formula.printed, formula.right):
+            assert read(_source.display(latex, 1e9)) == read(latex), formula.label
+
+
+def test_what_is_not_known_is_refused() -> None:
+    for latex in (r"\frac{a}{b", r"a}", r"\unknown{a}", r"(a", r"\begin{cases}a\end{cases}"):
+        with pytest.raises(UnknownTeX):
+            read(latex)
+
+
+def test_plain_formulas() -> None:
+    assert _plain.plain(r"\Omega = \frac{3}{8} \omega_0 \frac{ab}{l^2}") == "Ω = 3/8 ω₀ ab/l²"
+    assert _plain.plain(r"\ddot{\theta} - \dot{\phi}^2 \sin \theta") == "θ̈ − φ̇² sin θ"
+    assert _plain.plain(r"\frac{1}{8l^2} \frac{d}{dt} \dot{x}") == "1/(8l²) d/dt ẋ"
+    assert _plain.plain(r"-\sqrt{1 - \frac{\rho^2}{l^2}}") == "−√(1 − ρ²/l²)"
+
+
+def test_differences_are_small() -> None:
+    printed, right = difference(r"\frac{x}{l^2}(a + b)", r"\frac{x}{l^4}(a - b)")
+    assert _marks(printed) == _marks(right) == 2
+    same = difference("a = b", "a = b")
+    assert _marks(same[0]) == _marks(same[1]) == 0
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_latex_is_sound(language: str, tmp_path: Path) -> None:
+    text = document(language, "latex")
+    opened: list[str] = []
+    for what, name in re.findall(r"\\(begin|end)\{(\w+\*?)\}", text):
+        if what == "begin":
+            opened.append(name)
+        else:
+            assert opened.pop() == name
+    assert opened == []
+    plain = re.sub(r"\\[{}]", "", text)
+    assert plain.count("{") == plain.count("}")
+    (tmp_path / "derivation.tex").write_text(text, encoding="utf-8")
+    program = shutil.which("pdflatex")
+    if program is not None:  # a TeX installation is too large to ask for
+        command = [program, "-interaction=nonstopmode", "-halt-on-error", "derivation.tex"]
+        done = subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=100, check=False)
+        assert done.returncode == 0, done.stdout.decode("latin-1")[-2000:]
+
+
+def test_markdown_opens_and_closes() -> None:
+    text = document("en", "md")
+    assert text.count("```") % 2 == 0
+    assert text.count("<details>") == text.count("</details>") > 50
+    linked = set(re.findall(r"\]\(#([^)]+)\)", text))
+    assert linked <= set(re.findall(r'<a id="([^"]+)">', text))
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_one_equation_with_what_it_rests_on(form: str) -> None:
+    text = document("en", form, "5b")
+    assert "(5b)" in text
+    assert "(25)" not in text
+    whole = document("en", form)
+    assert len(text) < len(whole)
+
+
+def test_picture_has_every_equation_and_every_arrow() -> None:
+    page = document("en", "html")
+    pictures = re.findall(r'<svg class="graph".*?</svg>', page, flags=re.DOTALL)
+    assert len(pictures) == 2
+    displays = {formula.display for formula in paper.FORMULAS}
+    numbered = {formula.display for formula in paper.FORMULAS if formula.number}
+    for picture, shown in zip(pictures, (numbered, displays), strict=True):
+        assert set(re.findall(r"<text [^>]*>([^<]*)</text>", picture)) == shown
+    arrows = {
+        (before.partition(":")[0], after.partition(":")[0]) for before, after in paper.edges()
+    }
+    arrows = {(before, after) for before, after in arrows if before != after}
+    assert pictures[1].count("<path") >= len(arrows)
