@@ -2,6 +2,7 @@
 
 import runpy
 from pathlib import Path
+from typing import Any
 
 import mpmath as mp
 import numpy as np
@@ -19,7 +20,7 @@ def page(repository: Path) -> dict:
     return runpy.run_path(str(repository / "docs/motions.py"))
 
 
-def by_quadrature(a: float | mp.mpf, b: float | mp.mpf) -> tuple[mp.mpf, mp.mpf]:
+def by_quadrature(a: float, b: float) -> tuple[Any, Any]:
     """ω and Ω of (13) between the turning radii a, b.
 
     (13) is central, and with s = x² + y² the chain rule gives d(v²)/ds = −v² − 1 + s/2, solved by
@@ -29,7 +30,7 @@ def by_quadrature(a: float | mp.mpf, b: float | mp.mpf) -> tuple[mp.mpf, mp.mpf]
     constant = (mp.mpf(3) / 2 * (s - u) - (s * s - u * u) / 2) / (s * mp.exp(-s) - u * mp.exp(-u))
     momentum = s * (constant * mp.exp(-s) + s / 2 - mp.mpf(3) / 2)
 
-    def stay(angle: mp.mpf) -> tuple[mp.mpf, mp.mpf]:
+    def stay(angle: Any) -> tuple[Any, Any]:
         here = (s + u) / 2 + (s - u) / 2 * mp.cos(angle)
         square = 4 * (here * (constant * mp.exp(-here) + here / 2 - mp.mpf(3) / 2) - momentum)
         return (s - u) / 2 * mp.sin(angle) / mp.sqrt(square), here

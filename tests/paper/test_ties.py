@@ -242,3 +242,36 @@ def test_the_circle_and_the_line_are_limits_of_25_and_26() -> None:
     letters = {a: np.sin(size) * LENGTH, b: 0.0}
     assert line.precession == 0 == number(paper.right("25").rhs, letters)
     assert line.frequency**2 == pytest.approx(number(paper.right("26").rhs, letters), rel=size**4)
+
+
+@pytest.mark.parametrize(
+    ("label", "make"),
+    [("12", kp.PlaneMotion), ("13a", kp.CubicMotion), ("13b", kp.CubicMotion)],
+)
+def test_integrated_motions_run_on_the_proved_equations(label: str, make: Any) -> None:
+    """Acceleration from differences of the motion's own velocity, as above."""
+    rng = np.random.default_rng(5)
+    for _ in range(20):
+        place, speed = rng.uniform(-0.4, 0.4, 2), rng.uniform(-0.5, 0.5, 2)
+        launch = kp.Launch.plane(*(place * LENGTH), *(speed * LENGTH * OMEGA0))
+        left = number(paper.right(label).lhs, state_of_plan(make(PENDULUM, launch)))
+        assert np.abs(left).max() < 1e-9 * LENGTH * OMEGA0**2
+
+
+def state_of_plan(motion: Any) -> Letters:
+    times = np.array([0.0])
+    px, py, _ = np.moveaxis(motion.position(times), -1, 0)
+    vx, vy, _ = np.moveaxis(motion.velocity(times), -1, 0)
+    ax, ay, _ = np.moveaxis(acceleration(motion, times), -1, 0)
+    return {x: px, y: py, xd: vx, yd: vy, xdd: ax, ydd: ay, rho: np.hypot(px, py)}
+
+
+@pytest.mark.parametrize(("label", "make"), [("16", kp.LinearMotion), ("20", kp.OlssonMotion)])
+def test_figures_run_on_the_proved_solutions(label: str, make: Any) -> None:
+    wide, narrow = 0.2 * LENGTH, -0.08 * LENGTH
+    motion = make(PENDULUM, kp.Launch.apsides(wide, narrow))
+    times = np.linspace(0, 30, 200)
+    letters = {a: wide, b: narrow, t: times, omega: motion.frequency, Omega: motion.precession}
+    for k, q in enumerate("xy"):
+        found = number(paper.right(f"{label}:{q}").rhs, letters)
+        assert np.allclose(motion.position(times)[:, k], found, rtol=0, atol=4e-15 * LENGTH)
