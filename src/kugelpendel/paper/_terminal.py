@@ -146,7 +146,7 @@ class _Text:
             if self._document.explains(one, display):
                 told = self._pen.say(words.consequence(one.consequence))
                 text += f" {words.fate(one.consequence)}: {told}"
-            lines.extend(self._wrapped(text, "      "))
+            lines.extend(self._wrapped(text, "        "))
         return lines
 
 
