@@ -70,6 +70,16 @@ class TestSupportLevel:
         assert kp.PlaneMotion(UNIT, kp.Launch.apsides(0.9, 0.3)).span == (-np.inf, np.inf)
 
 
+def test_cubic_motion_ends_where_it_would_leave_the_sphere() -> None:
+    motion = kp.CubicMotion(UNIT, kp.Launch.plane(0.3, 0.2, 0.2, 1.6))
+    first, last = motion.span
+    assert first < 0 < last
+    radii = np.linalg.norm(motion.position([first, last])[:, :2], axis=-1)
+    np.testing.assert_allclose(radii, 1.0, atol=1e-10)
+    with pytest.raises(kp.InvalidInput, match="CubicMotion ends at"):
+        motion.position(1e6)
+
+
 def test_at_rest_nothing_happens() -> None:
     for make in (kp.CubicMotion, kp.PlaneMotion):
         motion = make(UNIT, kp.Launch.plane(0.0, 0.0, 0.0, 0.0))

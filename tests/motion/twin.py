@@ -31,7 +31,7 @@ class Twin:
         momentum, height = abs(x * v - y * u), 1 - z
         energy = (u**2 + v**2 + w**2) / 2 + height
         cubic = [-(momentum**2), 4 * energy, -2 * energy - 4, 2]
-        roots = mp.polyroots(cubic, asc=True, maxsteps=500, extraprec=500)
+        roots = mp.polyroots(cubic[::-1], maxsteps=500, extraprec=500)
         self.low, self.high, third = sorted(mp.re(root) for root in roots)
         self.rate = mp.sqrt((third - self.low) / 2)
         self.parameter = (self.high - self.low) / (third - self.low)

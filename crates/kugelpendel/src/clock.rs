@@ -29,15 +29,16 @@ impl Invariants {
     /// The fraction of a swing since the lowest point, in (−½, ½], of a point (s − mean, ∝ ṡ) on the height's circle.
     pub(crate) fn fraction(&self, [cos, sin]: [f64; 2]) -> Pair {
         let (ladder, radius) = (self.ladder(), self.turning.half_range);
-        if cos <= 0.0 {
-            // sn² = (s − s_b)/(s_a − s_b), as a tangent without cancellation
-            let share = ladder.argument(sin.abs().atan2(radius - cos)) / PI;
-            return Pair { hi: share.copysign(sin), lo: 0.0 };
-        }
-        // From the highest point back: K − F(φ) = F(φ'), tan φ' = cot φ/√(1 − m).
         let t = &self.turning;
         let (a, b) = ((t.excess + t.low_depth).sqrt(), (t.excess + t.high_depth).sqrt());
-        let share = ladder.argument((sin.abs() * a).atan2((radius + cos) * b)) / PI;
+        // sn² = (s − s_b)/(s_a − s_b): tan φ as a quotient without cancellation, whichever half the point is on; and
+        // K − F(φ) = F(φ') with tan φ' = cot φ/√(1 − m). Of the two angles the smaller is the well-conditioned one.
+        let (rise, run) = if cos <= 0.0 { (sin.abs(), radius - cos) } else { (radius + cos, sin.abs()) };
+        if rise * rise * b <= run * run * a {
+            let share = ladder.argument(rise.atan2(run)) / PI;
+            return Pair { hi: share.copysign(sin), lo: 0.0 };
+        }
+        let share = ladder.argument((run * a).atan2(rise * b)) / PI;
         let (hi, lo) = two_sum(0.5, -share);
         if sin < 0.0 { Pair { hi: -hi, lo: -lo } } else { Pair { hi, lo } }
     }

@@ -14,8 +14,8 @@ pub enum Equation {
     Cubic,
 }
 
-/// Series of x, y, vx, vy, and of the depth below the support where the equation divides by it.
-pub(crate) type Expansion = ([Coefficients; 4], Option<Coefficients>);
+/// Series of x, y, vx, vy, and of a function that reaches zero where the equation ends.
+pub(crate) type Expansion = ([Coefficients; 4], Coefficients);
 
 impl Equation {
     /// `None` where the equation ends: at the support's level and above.
@@ -23,19 +23,21 @@ impl Equation {
         let zero: Coefficients = [0.0; ORDER + 1];
         let (mut x, mut y, mut vx, mut vy) = (zero, zero, zero, zero);
         (x[0], y[0], vx[0], vy[0]) = (x0, y0, vx0, vy0);
-        let (mut depth, mut ratio, mut pull) = (zero, zero, zero);
+        let (mut depth_squared, mut depth, mut ratio, mut pull) = (zero, zero, zero, zero);
         for k in 0..=ORDER {
             let radius_squared = product(&x, &x, k) + product(&y, &y, k);
             let speed_squared = product(&vx, &vx, k) + product(&vy, &vy, k);
+            // Both end at the support's level: (12) divides by the depth below it, (13) would leave the sphere.
+            let square = one(k) - radius_squared;
+            depth_squared[k] = square;
+            if k == 0 && (square.is_nan() || square <= 0.0) {
+                return None;
+            }
             pull[k] = match self {
                 Self::Cubic => speed_squared - 0.5 * radius_squared + one(k),
                 Self::Plane => {
                     // depth = √(1 − ρ²), ratio = r·ṙ/depth
-                    let square = one(k) - radius_squared;
                     if k == 0 {
-                        if square.is_nan() || square <= 0.0 {
-                            return None;
-                        }
                         depth[0] = square.sqrt();
                     } else {
                         let known: f64 = (1..k).map(|i| depth[i] * depth[k - i]).sum();
@@ -53,7 +55,8 @@ impl Equation {
                 (vx[k + 1], vy[k + 1]) = (-product(&pull, &x, k) / next, -product(&pull, &y, k) / next);
             }
         }
-        Some(([x, y, vx, vy], (self == Self::Plane).then_some(depth)))
+        // The depth itself goes through zero, its square does not: where there is the depth, it shows the end.
+        Some(([x, y, vx, vy], if self == Self::Plane { depth } else { depth_squared }))
     }
 }
 

@@ -20,7 +20,7 @@ impl IntegratedMotion {
     /// Fills `out`, three numbers to a time; beyond an end it is left as it was.
     ///
     /// # Errors
-    /// The time in s at which the bob reaches the support's level, where (12) ends.
+    /// The time in s at which the bob reaches the support's level, where both laws end.
     ///
     /// # Panics
     /// If times and `out` do not have the same count.

@@ -149,6 +149,6 @@ impl Invariants {
 
     /// In a vertical plane, round and round: one revolution per T, and nothing precesses.
     pub(crate) fn revolves(&self) -> bool {
-        self.angular_momentum == 0.0 && self.energy > 2.0
+        self.angular_momentum == 0.0 && self.turning.excess > 0.0
     }
 }

@@ -50,7 +50,7 @@ impl Steps {
         };
         let mut size = self.direction * radius(&series) / std::f64::consts::E.powi(2);
         // The motion itself goes on smoothly through the support's level, so a step may reach across it.
-        if let Some(depth) = depth.filter(|depth| sum(depth, size) <= 0.0) {
+        if sum(&depth, size) <= 0.0 {
             size = bisected(&depth, size);
             self.ended = true;
         }

@@ -44,7 +44,8 @@ impl ExactMotion {
             }
             Clock::Periodic { start, .. } => {
                 let crossing = self.invariants.fraction([cos, sin]);
-                ((crossing.hi - start.hi) + (crossing.lo - start.lo)).rem_euclid(1.0) * self.radial_period()
+                // Launched at or below that height, so before the crossing; less is rounding.
+                ((crossing.hi - start.hi) + (crossing.lo - start.lo)).max(0.0) * self.radial_period()
             }
         }
     }

@@ -14,9 +14,6 @@ use crate::shape::{Factor, Shape, scales};
 pub(crate) const MAX_DEGREE: usize = 4;
 type Polynomial = [f64; MAX_DEGREE + 1];
 
-/// Largest nome for each degree.
-const NOME_LIMITS: [f64; MAX_DEGREE - 1] = [6.0e-5, 0.0134, 0.0885];
-
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Trigonometric {
     pub(crate) degree: usize,
@@ -34,8 +31,6 @@ impl Trigonometric {
     pub(crate) fn new(length: f64, invariants: &Invariants, ladder: &Ladder) -> Self {
         let turning = &invariants.turning;
         let nome = ladder.nome();
-        // Harmonics beyond the degree must not leave their lower powers behind, so they are not begun.
-        let degree = 1 + NOME_LIMITS.iter().filter(|&&limit| nome > limit).count();
         let from_above = invariants.from_above;
         let [lower, upper] = invariants.first_zeta_terms();
         let (lower, lower_reduced) = ladder.imaginary_argument(lower);
@@ -46,6 +41,11 @@ impl Trigonometric {
             let slope = std::f64::consts::SQRT_2 * invariants.angular_momentum / depths;
             upper = 0.5 * (slope * (turning.excess + turning.high_depth).sqrt()).asinh();
         }
+        // Harmonics beyond the degree must not leave their lower powers behind, so they are not begun. Their terms go
+        // like q^{n²}, in theta_3 like q^{n²}e^{2nη2}.
+        let growth = if from_above { 1.0 } else { (2.0 * upper).exp() };
+        let negligible = |n: usize| nome.powi((n * n) as i32) * growth.powi(n as i32) < 2e-17;
+        let degree = (1..MAX_DEGREE).find(|degree| negligible(degree + 1)).unwrap_or(MAX_DEGREE);
         let beta = if from_above {
             Series::odd(degree, nome, upper, upper_reduced, 1.0)
         } else {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
@@ -53,10 +54,25 @@ class IntegratedMotion(ABC):
         """Of the ensemble; () for a single motion."""
         return self._exact.shape
 
+    @cached_property
+    def _ends(self) -> tuple[float, float]:
+        first, last = -np.inf, np.inf
+        periods = np.broadcast_to(self._exact.radial_period, self.shape).reshape(-1)
+        for k in self._cases():
+            pendulum, start = self._pendulums[k].tolist(), self._starts[k].tolist()
+            # Radially both laws are periodic, with nearly the exact period: what ends, ends soon.
+            within = 2 * min(float(periods[k]), 1e3)
+            begin, end = _core.integrated_span(pendulum, self._equation, start, within)
+            first, last = max(first, begin), min(last, end)
+        return (first, last)
+
     @property
     def span(self) -> tuple[float, float]:
-        """First and last time, s, for which all motions of the ensemble can be asked."""
-        return (-np.inf, np.inf)
+        """First and last time, s, for which all motions of the ensemble can be asked.
+
+        Until a bob reaches the height of the support.
+        """
+        return self._ends
 
     @property
     @abstractmethod
