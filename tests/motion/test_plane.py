@@ -15,7 +15,7 @@ mp: Any = mpmath.mp
 UNIT = Pendulum(1.0, 1.0)
 TIMES = np.linspace(-11.0, 13.0, 97)
 # Of the length; where from: test_equations. SciPy's ellipj, away from m = 1, adds 1e-15 · time.
-POSITION = 3e-14
+POSITION = 2e-14
 ROUNDING = 4.5e-16
 
 

@@ -9,7 +9,7 @@ from tests.motion.launches import GALLERY, ROD, Start, powers_of_ten, starts, ti
 from kugelpendel import ExactMotion, InvalidInput, Launch, Pendulum
 
 # Of the length, for two computations: see test_symmetry.
-POSITION = 3e-14
+POSITION = 2e-14
 POWERS = 2.0 ** np.arange(-60, 61)
 
 

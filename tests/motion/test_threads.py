@@ -50,10 +50,10 @@ def test_portable_arithmetic(alone: Results, run: Run) -> None:
     portable = run(RAYON_NUM_THREADS="2", KUGELPENDEL_PORTABLE="1")
     assert portable.keys() == alone.keys()
     for name, expected in alone.items():
-        # Twice the error of one, 1.5e-14 (test_equations), of the largest number.
+        # Twice the error of one, 1e-14 (test_equations), of the largest number.
         scale = np.abs(expected[np.isfinite(expected)]).max()
         np.testing.assert_allclose(
-            portable[name], expected, rtol=0, atol=3e-14 * scale, err_msg=name
+            portable[name], expected, rtol=0, atol=2e-14 * scale, err_msg=name
         )
     if fused():
         grids = [name for name in alone if name.endswith("grid")]

@@ -207,12 +207,12 @@ def test_not_finite(kind: str, names: list[str], value: float) -> None:
 
 
 def test_rounding_of_a_state_is_projected_away() -> None:
-    position = np.array([1.2, 0.0, 1.6]) * (1 + 5e-10)
-    velocity = np.array([1.6, 0.0, -1.2]) + 5e-10 * np.array([1.2, 0.0, 1.6])
-    motion = ExactMotion(PENDULUM, Launch.state(position, velocity))
-    assert motion.position(0.0) == pytest.approx([1.2, 0.0, 1.6], abs=1e-15)
-    assert motion.velocity(0.0) == pytest.approx([1.6, 0.0, -1.2], abs=1e-8)
-    assert np.dot(motion.position(0.0), motion.velocity(0.0)) == pytest.approx(0, abs=1e-14)
+    # The state below is exactly on the sphere and tangent to it; it is given with a radial part.
+    position, velocity = np.array([1.2, 0.0, 1.6]), np.array([0.8, 0.7, -0.6])
+    given = Launch.state(position * (1 + 5e-10), velocity + 4e-10 * position)
+    motion = ExactMotion(PENDULUM, given)
+    assert motion.position(0.0) == pytest.approx(position, abs=5e-15)
+    assert motion.velocity(0.0) == pytest.approx(velocity, abs=5e-15)
 
 
 def test_limits_that_are_allowed() -> None:
