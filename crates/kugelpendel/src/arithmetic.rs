@@ -67,6 +67,18 @@ pub(crate) const fn two_prod_split(a: f64, b: f64) -> (f64, f64) {
     (product, ((ah * bh - product) + ah * bl + al * bh) + al * bl)
 }
 
+/// A polynomial of a degree known to the compiler; coefficients beyond it are not looked at.
+#[inline(always)]
+pub(crate) fn horner<A: Arithmetic, const DEGREE: usize, const SIZE: usize>(coefficients: &[f64; SIZE], x: f64) -> f64 {
+    let mut value = coefficients[DEGREE];
+    let mut k = DEGREE;
+    while k > 0 {
+        k -= 1;
+        value = A::mul_add(value, x, coefficients[k]);
+    }
+    value
+}
+
 /// Whether this processor takes the fused path. `KUGELPENDEL_PORTABLE=1` in the environment keeps to the portable one.
 pub fn fused() -> bool {
     static FUSED: OnceLock<bool> = OnceLock::new();

@@ -3,8 +3,7 @@
 //! x + iy = e^{i(Ωt + …)} (cos ζ·P(sin² ζ) + i sin ζ·Q(sin² ζ)), ζ = π/2 at the first highest point, and z on the lower
 //! half of the sphere.
 
-use crate::arithmetic::Portable;
-use crate::arithmetic::{Arithmetic, dispatch};
+use crate::arithmetic::{Arithmetic, Portable, dispatch, horner};
 use crate::blocks::{Form, Hands, blocks};
 use crate::double_double::Dd;
 use crate::rotations::{Rotations, half, rotations};
@@ -52,14 +51,14 @@ impl<A: Arithmetic, const DEGREE: usize> Form<A> for Figure<DEGREE> {
     #[inline(always)]
     fn point<const RATES: bool>(&self, [c, s]: [f64; 2], direction: [f64; 2]) -> [f64; 3] {
         let square = s * s;
-        let plan = [c * horner::<A, DEGREE>(&self.inner, square), s * horner::<A, DEGREE>(&self.outer, square)];
+        let plan = [c * horner::<A, DEGREE, _>(&self.inner, square), s * horner::<A, DEGREE, _>(&self.outer, square)];
         let radius_squared = A::mul_add(plan[0], plan[0], plan[1] * plan[1]);
         let z = A::mul_add(self.length, self.length, -radius_squared).sqrt();
         if RATES {
             let (x, y) = (self.swing * s, self.swing * c);
             let rate = [
-                A::mul_add(x, horner::<A, DEGREE>(&self.inner_rate, square), -(self.frame * plan[1])),
-                A::mul_add(y, horner::<A, DEGREE>(&self.outer_rate, square), self.frame * plan[0]),
+                A::mul_add(x, horner::<A, DEGREE, _>(&self.inner_rate, square), -(self.frame * plan[1])),
+                A::mul_add(y, horner::<A, DEGREE, _>(&self.outer_rate, square), self.frame * plan[0]),
             ];
             let outward = A::mul_add(plan[0], rate[0], plan[1] * rate[1]);
             let [vx, vy] = product::<A>(direction, rate);
@@ -69,17 +68,6 @@ impl<A: Arithmetic, const DEGREE: usize> Form<A> for Figure<DEGREE> {
             [x, y, z]
         }
     }
-}
-
-#[inline(always)]
-fn horner<A: Arithmetic, const DEGREE: usize>(powers: &Powers, x: f64) -> f64 {
-    let mut value = powers[DEGREE];
-    let mut k = DEGREE;
-    while k > 0 {
-        k -= 1;
-        value = A::mul_add(value, x, powers[k]);
-    }
-    value
 }
 
 impl HarmonicMotion {
@@ -93,10 +81,10 @@ impl HarmonicMotion {
         }
         let per_second = |rate: f64| Dd::<Portable>::INV_PI * rate;
         let (swings, frame) = (per_second(self.frequency).pair(), per_second(self.precession).scale(0.5).pair());
-        let table = matches!(times, Times::Grid { step, .. } if step != 0.0).then(|| match times {
-            Times::Grid { step, .. } => rotations(step, swings, frame),
-            Times::Scattered(_) => unreachable!("only a grid has a step"),
-        });
+        let table = match times {
+            Times::Grid { step, .. } => Some(rotations(step, swings, frame)),
+            Times::Scattered(_) => None,
+        };
         let hands = Hands {
             swing: half(swings),
             frame,

@@ -5,7 +5,7 @@
 //! §55; theta functions as in DLMF 20.2). The series are cut where the next term is below 2e-17 and summed as
 //! polynomials in sin² ζ, in which θ4, the only one that is divided by, has positive coefficients only.
 
-use crate::arithmetic::Arithmetic;
+use crate::arithmetic::{Arithmetic, horner};
 use crate::elliptic::Ladder;
 use crate::invariants::Invariants;
 use crate::shape::{Factor, Shape, scales};
@@ -89,8 +89,8 @@ impl Trigonometric {
         let square = sin * sin;
         let alpha = self.alpha.at::<A, DEGREE, RATES>(square, [cos, sin]);
         let beta = self.beta.at::<A, DEGREE, RATES>(square, if FROM_ABOVE { [cos, sin] } else { [1.0, sin * cos] });
-        let delta = horner::<A, DEGREE>(&self.delta.re, square);
-        let delta_rate = if RATES { sin * cos * horner::<A, DEGREE>(&self.delta.re_rate, square) } else { 0.0 };
+        let delta = horner::<A, DEGREE, _>(&self.delta.re, square);
+        let delta_rate = if RATES { sin * cos * horner::<A, DEGREE, _>(&self.delta.re_rate, square) } else { 0.0 };
         Shape::of::<A, RATES>(alpha, beta, delta, delta_rate)
     }
 }
@@ -108,13 +108,13 @@ impl Series {
     #[inline(always)]
     fn at<A: Arithmetic, const DEGREE: usize, const RATES: bool>(&self, square: f64, [c, s]: [f64; 2]) -> Factor {
         let mut factor = Factor {
-            re: c * horner::<A, DEGREE>(&self.re, square),
-            im: s * horner::<A, DEGREE>(&self.im, square),
+            re: c * horner::<A, DEGREE, _>(&self.re, square),
+            im: s * horner::<A, DEGREE, _>(&self.im, square),
             ..Factor::default()
         };
         if RATES {
-            factor.re_rate = s * horner::<A, DEGREE>(&self.re_rate, square);
-            factor.im_rate = c * horner::<A, DEGREE>(&self.im_rate, square);
+            factor.re_rate = s * horner::<A, DEGREE, _>(&self.re_rate, square);
+            factor.im_rate = c * horner::<A, DEGREE, _>(&self.im_rate, square);
         }
         factor
     }
@@ -187,15 +187,4 @@ fn expand(weights: Polynomial, [first, second]: [[f64; 2]; 2]) -> Polynomial {
         }
     }
     std::array::from_fn(|k| weights.iter().zip(&basis).map(|(weight, p)| weight * p[k]).sum())
-}
-
-#[inline(always)]
-fn horner<A: Arithmetic, const DEGREE: usize>(polynomial: &Polynomial, x: f64) -> f64 {
-    let mut value = polynomial[DEGREE];
-    let mut k = DEGREE;
-    while k > 0 {
-        k -= 1;
-        value = A::mul_add(value, x, polynomial[k]);
-    }
-    value
 }
