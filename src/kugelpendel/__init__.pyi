@@ -8,6 +8,7 @@ from .motion import ExactMotion as ExactMotion
 from .motion import LinearMotion as LinearMotion
 from .motion import OlssonMotion as OlssonMotion
 from .motion import PlaneMotion as PlaneMotion
+from .motion import RealMotion as RealMotion
 from .motion import SeriesMotion as SeriesMotion
 from .motion import Spectrum as Spectrum
 from .observables import Comparison as Comparison
@@ -44,6 +45,7 @@ __all__ = [
     "OlssonMotion",
     "Pendulum",
     "PlaneMotion",
+    "RealMotion",
     "SeriesMotion",
     "Site",
     "Spectrum",
