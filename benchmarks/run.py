@@ -14,6 +14,8 @@ import time
 from pathlib import Path
 
 TOPICS = (
+    "sampling", "scattered", "ensembles", "ladder", "series", "real", "envelope", "peers", "startup"
+)  # fmt: skip
     "sampling", "scattered", "ensembles", "real", "ladder", "series", "peers", "startup"
 )  # fmt: skip
 THREADS = (
