@@ -1,4 +1,4 @@
-"""A day of the Panthéon's pendulum, averaged, beside the full equations; and how far apart they are."""
+"""A day of the Panthéon's pendulum, averaged, beside the full equations: speed and error."""
 
 from __future__ import annotations
 
