@@ -46,6 +46,8 @@ pub(crate) struct Series {
     pub(crate) rate: Vectors,
     /// A function that reaches zero where the law ends.
     pub(crate) guard: Coefficients,
+    /// v², where the law needs it.
+    pub(crate) speed_squared: Coefficients,
 }
 
 /// r̈ as a function of r and ṙ, without dimensions: lengths in l, times in 1/ω0.
@@ -72,8 +74,12 @@ pub(crate) trait Law<A: Arithmetic> {
 }
 
 impl Series {
-    pub(crate) const ZERO: Self =
-        Self { place: [[0.0; 4]; ORDER + 1], rate: [[0.0; 4]; ORDER + 1], guard: [0.0; ORDER + 1] };
+    pub(crate) const ZERO: Self = Self {
+        place: [[0.0; 4]; ORDER + 1],
+        rate: [[0.0; 4]; ORDER + 1],
+        guard: [0.0; ORDER + 1],
+        speed_squared: [0.0; ORDER + 1],
+    };
 
     #[inline(always)]
     pub(crate) fn start(&mut self, point: &Point) {

@@ -5,7 +5,7 @@ use crate::double_double::{Dd, Pair};
 use crate::events::{first, radial};
 use crate::forces::{Drive, Thread};
 use crate::real::RealMotion;
-use crate::sphere::Kind;
+use crate::sphere::{Kind, turning_point};
 use crate::taylor::{Law, Point, Series};
 
 /// In 1/ω0. Longer ones are never worth their last terms, and an event could come and go within.
@@ -95,6 +95,9 @@ fn advance_with<A: Arithmetic>(_: A, motion: &RealMotion, walk: &mut Walk) {
         (_, true, false) => Law::<A>::continue_series(&Kind::<true, true, false>(law), series),
     };
     walk.size = walk.direction * walk.series.reach(motion.tolerance).min(LONGEST);
+    if law.quadratic != 0.0 {
+        walk.size = turning_point::<A>(&walk.series, walk.size).unwrap_or(walk.size);
+    }
     let taut = if walk.free { walk.becomes_taut::<A>() } else { walk.may_slacken::<A>(motion) };
     let pushed = !taut && walk.is_pushed::<A>(motion);
     walk.next = walk.series.at::<A>(walk.size);
