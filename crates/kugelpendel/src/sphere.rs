@@ -3,8 +3,8 @@
 //! Λ is not divided by r·r: every step starts on the sphere to the last bit, and none is long enough for what is off by
 //! an ulp to grow. Damping has no part in F·r, since v is at right angles to r.
 
-use crate::arithmetic::Arithmetic;
-use crate::events::first;
+use crate::arithmetic::{Arithmetic, horner};
+use crate::events::{Quickening, first};
 use crate::forces::Forces;
 use crate::taylor::{
     Coefficients, Law, ORDER, RECIPROCALS, Series, Vector, Vectors, dot, inner_terms, product, square, total,
@@ -25,14 +25,9 @@ const AT_ONCE: f64 = 1e-6;
 /// through zero as that of v, below zero.
 #[inline(always)]
 pub(crate) fn turning_point<A: Arithmetic>(series: &Series, size: f64) -> Option<f64> {
-    let squared = &series.speed_squared;
-    let rise = |since: f64| {
-        let slope = (1..ORDER).rev().fold(0.0, |sum, k| A::mul_add(sum, since, k as f64 * squared[k]));
-        slope.copysign(slope * size)
-    };
-    let at = first(rise, size, true)?;
-    let slowest = squared.iter().rev().fold(0.0, |sum, c| A::mul_add(sum, at, *c));
-    (at.abs() > AT_ONCE && slowest < SLOW * SLOW * squared[0]).then_some(at)
+    let at = first::<A>(&Quickening(series, size.signum()), size, true)?;
+    let slowest = horner::<A, ORDER, _>(&series.speed_squared, at);
+    (at.abs() > AT_ONCE && slowest < SLOW * SLOW * series.speed_squared[0]).then_some(at)
 }
 
 /// The forces without dimensions, as matrices on r and v.
