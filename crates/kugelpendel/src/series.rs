@@ -75,10 +75,10 @@ pub(crate) fn seen_from_outside<A: Arithmetic, const RATES: bool>(
     let (plan, z) = if RATES {
         let x = A::mul_add(swing, shape.x_rate, -(frame * shape.y));
         let y = A::mul_add(swing, shape.y_rate, frame * shape.x);
-        ([x, y], -swing * shape.height_rate)
+        ([x, y], -shape.unit * (swing * shape.height_rate))
     } else {
-        ([shape.x, shape.y], length - shape.height)
+        ([shape.x, shape.y], A::mul_add(-shape.unit, shape.height, length))
     };
     let [x, y] = product::<A>(direction, plan);
-    [x, y, z]
+    [shape.unit * x, shape.unit * y, z]
 }
