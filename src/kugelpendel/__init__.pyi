@@ -1,5 +1,10 @@
 from . import series as series
+from .builder import Answer as Answer
+from .builder import Check as Check
+from .builder import Design as Design
+from .builder import design as design
 from .motion import CubicMotion as CubicMotion
+from .motion import EnvelopeMotion as EnvelopeMotion
 from .motion import ExactMotion as ExactMotion
 from .motion import LinearMotion as LinearMotion
 from .motion import OlssonMotion as OlssonMotion
@@ -7,10 +12,12 @@ from .motion import PlaneMotion as PlaneMotion
 from .motion import RealMotion as RealMotion
 from .motion import SeriesMotion as SeriesMotion
 from .motion import Spectrum as Spectrum
+from .motion import TurningRates as TurningRates
 from .observables import Comparison as Comparison
 from .observables import Validity as Validity
 from .observables import ValidityMap as ValidityMap
 from .observables import compare as compare
+from .observables import ellipse as ellipse
 from .observables import precession_rate as precession_rate
 from .observables import swing_frequency as swing_frequency
 from .observables import validity as validity
@@ -23,13 +30,18 @@ from .parameters import Launch as Launch
 from .parameters import Pendulum as Pendulum
 from .parameters import Site as Site
 from .parameters import Suspension as Suspension
+from .parameters import Wire as Wire
 
 __all__ = [
+    "Answer",
     "Bob",
+    "Check",
     "Comparison",
     "CubicMotion",
+    "Design",
     "Drag",
     "Drive",
+    "EnvelopeMotion",
     "ExactMotion",
     "InvalidInput",
     "Launch",
@@ -42,9 +54,13 @@ __all__ = [
     "Site",
     "Spectrum",
     "Suspension",
+    "TurningRates",
     "Validity",
     "ValidityMap",
+    "Wire",
     "compare",
+    "design",
+    "ellipse",
     "precession_rate",
     "series",
     "swing_frequency",

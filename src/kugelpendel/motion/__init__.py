@@ -2,6 +2,8 @@
 
 from ._base import Motion as Motion
 from ._cubic import CubicMotion as CubicMotion
+from ._envelope import EnvelopeMotion as EnvelopeMotion
+from ._envelope import TurningRates as TurningRates
 from ._exact import ExactMotion as ExactMotion
 from ._linear import LinearMotion as LinearMotion
 from ._olsson import OlssonMotion as OlssonMotion

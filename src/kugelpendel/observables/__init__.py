@@ -3,6 +3,7 @@
 from ._compare import Compared as Compared
 from ._compare import Comparison as Comparison
 from ._compare import compare as compare
+from ._ellipse import ellipse as ellipse
 from ._measured import Rates as Rates
 from ._measured import measured_rates as measured_rates
 from ._olsson import precession_rate as precession_rate
