@@ -23,6 +23,7 @@ from ..parameters import (
     Suspension,
     as_numbers,
 )
+from ._pumping import refuse_pumping
 from ._surroundings import Surroundings
 from ._times import checked_grid, checked_times
 
@@ -69,8 +70,8 @@ class RealMotion:
     ------
     InvalidInput
         For what a single ExactMotion would refuse, shapes that do not broadcast, a site whose given
-        gravity is not the pendulum's, and an unknown thread or tolerance. In an ensemble a bad
-        launch or pendulum gives NaN, and `reason` says why.
+        gravity is not the pendulum's, a drive that pumps without end, and an unknown thread or
+        tolerance. In an ensemble a bad launch or pendulum gives NaN, and `reason` says why.
 
     Notes
     -----
@@ -109,6 +110,7 @@ class RealMotion:
                 f"The tolerance must lie between 0 and 1e-3, but it is {tolerance:g}; leave it out "
                 f"for the finest."
             )
+        refuse_pumping(around.effective_pendulum, launch, drag, drive)
         self._around = around
         self._thread: Thread = thread
         self._tolerance = tolerance
