@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from ..motion import ExactMotion, RealMotion
@@ -18,6 +19,9 @@ from ..parameters import (
     Suspension,
     Wire,
 )
+
+_FINE, _COARSE = 1e-17, 1e-12
+"""Tolerances: the coarse one is for many swings whose phase nobody asks for."""
 
 
 @dataclass(frozen=True)
@@ -42,14 +46,15 @@ class Case:
     radius: float | None
     time: float | None
     checked: bool
+    worked: Callable[[], None] = field(default=lambda: None, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         _refuse_ensembles(self)
         _refuse_numbers(self)
-        given = self.site is not None and self.site.gravity_given
-        if given and float(self.site.gravity) != self.gravity:
+        site = self.site
+        if site is not None and site.gravity_given and float(site.gravity) != self.gravity:
             raise InvalidInput(
-                f"The site's gravity is {float(self.site.gravity):.9g} m/s², the pendulum's is "
+                f"The site's gravity is {float(site.gravity):.9g} m/s², the pendulum's is "
                 f"{self.gravity:.9g} m/s²; give the pendulum that of the site, or leave out the "
                 "site's."
             )
@@ -129,6 +134,7 @@ class Case:
         drag: bool | Drag = False,
         suspension: bool | Suspension = False,
         drive: Drive | None = None,
+        fine: bool = True,
     ) -> RealMotion:
         """The full equations with the bob, and with what is named of the rest."""
         return RealMotion(
@@ -141,6 +147,7 @@ class Case:
             else suspension,
             bob=self.bob,
             drive=drive,
+            tolerance=_FINE if fine else _COARSE,
         )
 
 
