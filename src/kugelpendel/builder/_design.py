@@ -16,10 +16,11 @@ from ..parameters import (
     Wire,
     as_numbers,
 )
-from ._anisotropy import MOMENTS, anisotropy, courses
+from ._anisotropy import anisotropy
 from ._answer import Answer
 from ._case import Case
 from ._decay import amplitude_after, decay
+from ._half_turn import MOMENTS, half_turns, is_run
 from ._hanging import hanging
 from ._passage import passage
 from ._period import period
@@ -143,7 +144,8 @@ def design(
     case = Case(
         pendulum, *numbers, site, drag, suspension, bob, drive, wire, *asked, checked, worked
     )  # fmt: skip
-    steps = len(_QUESTIONS) + MOMENTS * courses(case)
+    runs = sum(is_run(case, turn) for turn in half_turns(case))
+    steps = len(_QUESTIONS) + MOMENTS * runs
     answers: list[Answer] = []
     for question in _QUESTIONS:
         answers.extend(question(case))

@@ -74,12 +74,12 @@ def _widest(case: Case) -> Iterator[Answer]:
         f"{OLSSON}(25)", note, check,
     )  # fmt: skip
     speed = share * case.omega
-    source = f"{OLSSON}(16); seen from the turning Earth"
+    source = f"{OLSSON}(16); {AVERAGED}"
     for name, b in (("least", -speed), ("most", speed)):
         yield Answer(
-            "turning", f"Sideways speed at release, {name}", b - case.earth * case.a, "m/s",
+            "turning", f"Sideways speed for {percent}, {name}", b - case.earth * case.a, "m/s",
             f"{'−' if b < 0 else '+'}bω0 − aΩ_z, with that b", source,
-            "counter-clockwise; against the floor",
+            "against the floor; counter-clockwise",
         )  # fmt: skip
 
 
@@ -88,9 +88,17 @@ def release(case: Case) -> Iterator[Answer]:
     if not case.earth:
         return
     b = case.a * case.earth / case.omega
+    check = None
+    if case.checked:
+        motion = case.run(case.pushed(case.a, 0.0), site=True)
+        x, y, _ = motion.position(motion.next_event("inner", within=case.swing))
+        # Distances have no sign, but the ellipse has the Earth's sense.
+        radius = math.copysign(math.hypot(x, y), case.earth)
+        check = Check(b, radius, "RealMotion with the Earth alone: first closest approach")
     yield Answer(
         "turning", "Ellipse of a release from rest", b, "m", "b = aΩ_z/ω0", AVERAGED,
         "seen from a frame that does not turn, where the floor gives the bob the speed aΩ_z",
+        check,
     )  # fmt: skip
     rate = -case.earth * (1 - 3 * case.a**2 / (8 * case.length**2))
     check = None
@@ -102,26 +110,39 @@ def release(case: Case) -> Iterator[Answer]:
         "to first order in a²/l²", check,
     )  # fmt: skip
     yield Answer("turning", "Sideways speed for no ellipse", -case.earth * case.a, "m/s", "−aΩ_z",
-                 "seen from a frame that does not turn", "against the floor")  # fmt: skip
+                 AVERAGED, "against the floor; counter-clockwise")  # fmt: skip
 
 
 def total(case: Case) -> Iterator[Answer]:
     """All causes at once, at the start."""
     parts = shares(case)
+    for name, rate in parts.items():
+        yield Answer("turning", f"Share of the {name}", rate, "rad/s", _SHARES[name], _LAWS[name],
+                     "at the start")  # fmt: skip
     value = sum(parts.values())
     check = None
     if case.checked:
-        motion = case.run(
-            case.launch(case.b, turning=True), site=True, drag=True, suspension=True
-        )  # fmt: skip
+        motion = case.run(case.launch(case.b, turning=True), site=True, drag=True, suspension=True)
         # Short, for the causes change with a, b and the azimuth.
         how = "RealMotion with all that is given but the drive: the first 3 swings"
         check = Check(value, _measured.turning_rate(motion, case.swing, 3), how)
-    spoken = ", ".join(f"{name} {rate:+.3g}" for name, rate in parts.items())
-    yield Answer(
-        "turning", "Rate at the start", value, "rad/s", "−Ω_z + Ω(a, b) − δ ab/(a²−b²) cos 2(ψ−χ) "
-        "+ (Δγ/2)(a²+b²)/(a²−b²) sin 2(ψ−χd)", f"{CLOSED_FORM}; {AVERAGED}", spoken, check,
-    )  # fmt: skip
+    yield Answer("turning", "Rate at the start", value, "rad/s", "the sum of the shares", AVERAGED,
+                 check=check)  # fmt: skip
+
+
+_SHARES = {
+    "Earth": "−Ω_z",
+    "ellipse": "(ΔΦ − π)/T for the turning radii a and b",
+    "anisotropy": "−δ ab/(a²−b²) cos 2(ψ−χ)",
+    "damping": "(Δγ/2)(a²+b²)/(a²−b²) sin 2(ψ−χd)",
+}
+
+_LAWS = {
+    "Earth": FOUCAULT,
+    "ellipse": CLOSED_FORM,
+    "anisotropy": AVERAGED,
+    "damping": AVERAGED,
+}
 
 
 def shares(case: Case) -> dict[str, float]:

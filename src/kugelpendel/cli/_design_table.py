@@ -27,6 +27,7 @@ _TITLES = {
 }
 
 _LADDERS = ("m", "m/s", "s", "N")
+_SMALL = {"1/s": (0.01 / 3600, "%/h"), "1/K": (1e-6, "ppm/K")}
 _LARGE = {"Pa": ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa")), "W": ((1.0, "W"), (1e-3, "mW"))}
 
 
@@ -44,32 +45,47 @@ def print_design(questions: Questions, design: kp.Design) -> None:
         print(f"{name:<19}{text}")
     for group, answers in groupby(design.answers, key=lambda answer: answer.group):
         print_table(_numbers(_TITLES[group], list(answers)))
-    print_table(_sources(design))
+    for table in _sources(design):
+        print_table(table)
 
 
 def _numbers(title: str, answers: list[kp.Answer]) -> Table:
-    table = plain_table(title, "By formula", "Measured", "Off by", "Remark")
-    table.columns[-1].justify = "left"
-    table.columns[-1].no_wrap = False
+    table = plain_table(title, "By formula", "By RealMotion", "Off by")
+    table.columns[0].min_width = 38
     for answer in answers:
         measured = off = ""
-        check = answer.check
-        if check is not None:
-            measured = shown(check.measured, answer)
-            off = "–" if check.relative is None else spell_percent(-check.relative)
-        table.add_row(answer.name, shown(answer.value, answer), measured, off, answer.note)
+        if answer.check is not None:
+            measured = shown(answer.check.measured, answer)
+            off = _off(answer.check)
+        table.add_row(answer.name, shown(answer.value, answer), measured, off)
     return table
 
 
-def _sources(design: kp.Design) -> Table:
+def _off(check: kp.Check) -> str:
+    """By how much the formula misses; a check of another case says nothing of the value itself."""
+    return "–" if check.relative is None else spell_percent(-check.relative)
+
+
+def _sources(design: kp.Design) -> tuple[Table, Table]:
+    """Formulas with numbers of their sources, and the sources."""
     from rich.table import Table
+    from rich.text import Text
 
-    table = Table.grid(padding=(0, 2))
-    table.add_column(no_wrap=True, min_width=17)
-    table.add_column()
+    formulas = Table.grid(padding=(0, 2))
+    formulas.add_column(no_wrap=True, min_width=38)
+    formulas.add_column()
+    numbers: dict[str, int] = {}
     for answer in design.answers:
-        table.add_row(answer.name, f"{answer.formula}  [{answer.source}]".replace("[", r"\["))
-    return table
+        marks = [
+            f"[{numbers.setdefault(source, len(numbers) + 1)}]"
+            for source in answer.source.split("; ")
+        ]
+        said = f"{answer.formula} {' '.join(marks)}" + (f"; {answer.note}" if answer.note else "")
+        formulas.add_row(answer.name, Text(said))
+    sources = Table.grid(padding=(0, 2))
+    for source, number in numbers.items():
+        sources.add_row(Text(f"[{number}]"), Text(source))
+    return formulas, sources
 
 
 def shown(value: float, answer: kp.Answer) -> str:
@@ -82,7 +98,10 @@ def shown(value: float, answer: kp.Answer) -> str:
     if unit == "rad/s":
         return spell_rate(value, 5)
     if unit == "1" and answer.group == "period":
-        return f"{significant(100 * value, 4)} %".replace("-", "−")
+        return minus(f"{significant(1e6 * value, 4)} ppm")
+    if unit in _SMALL:
+        size, symbol = _SMALL[unit]
+        return minus(f"{significant(value / size, 4)} {symbol}")
     if unit == "1":
         return minus(significant(value, 4))
     if unit == "rad":

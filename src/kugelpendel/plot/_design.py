@@ -72,48 +72,44 @@ def _draw_rates(axes: Axes, found: Design) -> None:
     for row, (_, rate) in enumerate(bars):
         colour = _ink.TEXT if row == len(bars) - 1 else _ink.INNER
         axes.barh(row, rate * _HOURLY, height=0.55, color=colour)
-        _write(axes, row, [rate], spell_rate(rate, 4) if rate else "0")
+        _write(axes, row, rate, spell_rate(rate, 4) if rate else "0", left=rate < 0)
     for row, (_, slow, fast) in enumerate(spans, start=len(bars)):
         low, high = sorted((slow * _HOURLY, fast * _HOURLY))
         axes.barh(row, high - low, left=low, height=0.55, color=_ink.OUTER)
         text = " to ".join(significant(value * _HOURLY, 4) for value in (slow, fast))
-        _write(axes, row, [slow, fast], f"{text} °/h".replace("-", "−"))
+        _write(axes, row, max(slow, fast), f"{text} °/h".replace("-", "−"), left=False)
     axes.set_yticks(range(len(bars) + len(spans)), [name for name, *_ in (*bars, *spans)])
     axes.tick_params(axis="y", length=0)
     axes.spines["left"].set_visible(False)
     axes.axvline(0, color=_ink.QUIET, linewidth=0.8)
     axes.invert_yaxis()
     low, high = axes.get_xlim()
-    room = 0.42 * max(reach * _HOURLY, high - low)
-    negative = any(end < 0 for _, *ends in (*bars, *spans) for end in ends)
-    positive = any(end > 0 for _, *ends in (*bars, *spans) for end in ends)
-    axes.set_xlim(low - room if negative else low, high + room if positive else high)
+    room = 0.3 * max(reach * _HOURLY, high - low)
+    axes.set_xlim(low - (room if low < 0 else 0), high + room)
     axes.xaxis.set_major_locator(MaxNLocator(7, steps=[1, 2, 2.5, 5, 10]))
     axes.set(title="What turns the swing", xlabel="rate (°/h), counter-clockwise from above")
 
 
 def _spans(found: Design) -> list[tuple[str, float, float]]:
     """Slowest and fastest rates over a half turn, rad/s, counter-clockwise."""
-    way = -math.copysign(1.0, found.case.earth)
     values = {answer.name: answer.value for answer in found.answers}
     spans: list[tuple[str, float, float]] = []
     for cause, name in (("anisotropy", "suspension"), ("damping", "uneven damping")):
         slow = values.get(f"Slowest turning by the {cause}")
         if slow is not None:
             fast = values[f"Fastest turning by the {cause}"]
-            spans.append((f"Earth and {name}, in half a turn", way * slow, way * fast))
+            spans.append((f"Earth and {name}, half a turn", slow, fast))
     return spans
 
 
-def _write(axes: Axes, row: int, ends: list[float], text: str) -> None:
-    """Beside the bar, on the side to which it points."""
-    outermost = max(ends, key=abs)
+def _write(axes: Axes, row: int, end: float, text: str, *, left: bool) -> None:
+    """Beside the end of a bar, rad/s."""
     axes.annotate(
         text,
-        (outermost * _HOURLY, row),
-        (-5 if outermost < 0 else 5, 0),
+        (end * _HOURLY, row),
+        (-5 if left else 5, 0),
         textcoords="offset points",
-        ha="right" if outermost < 0 else "left",
+        ha="right" if left else "left",
         va="center",
         fontsize=9,
         color=_ink.TEXT,
@@ -136,7 +132,7 @@ def _draw_decay(axes: Axes, found: Design) -> None:
     axes.annotate(f"half after {spell(half, 's')}", (half / clock.size, found.case.a / 2
                   / ruler.size), (8, 6), textcoords="offset points", color=_ink.OUTER)  # fmt: skip
     axes.set(
-        title="How the swing dies away without a drive",
+        title="Amplitude without a drive",
         xlabel=f"time ({clock.symbol})",
         ylabel=f"amplitude ({ruler.symbol})",
         xlim=(0, times[-1] / clock.size),
