@@ -84,7 +84,7 @@ def _duration(case: Case, start: float, size: float, axis: float) -> float:
         pull = size * math.sin(2 * (azimuth - axis))
         azimuth += step * rate + step**2 / 2 * pull
         after = rate + step / 2 * (pull + size * math.sin(2 * (azimuth - axis)))
-        back = after * start < 0 and abs(after) < abs(rate)
+        back = rate * start < 0 and abs(after) < abs(rate)
         if back or abs(azimuth - case.azimuth) >= math.pi:
             return (k + 1) * step
         rate = after
