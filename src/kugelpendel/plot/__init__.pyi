@@ -1,5 +1,6 @@
 from ._compared import compared as compared
 from ._constants import Constants as Constants
+from ._design import design as design
 from ._overview import overview as overview
 from ._overview import save as save
 from ._turning import turning_rate as turning_rate
@@ -17,6 +18,7 @@ __all__ = [
     "Constants",
     "Unit",
     "compared",
+    "design",
     "overview",
     "save",
     "significant",
