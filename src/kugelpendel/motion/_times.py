@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from functools import cache
 from math import isfinite
+from typing import cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -57,7 +58,7 @@ def check_out(out: object, shape: tuple[int, ...]) -> None:
     """Refuse what results cannot be written into without a copy."""
     if not isinstance(out, np.ndarray):
         raise InvalidInput(f"out must be an array to be filled, but it is {out!r}.")
-    array: NDArray[np.generic] = out
+    array = cast("NDArray[np.generic]", out)
     flags = array.flags
     if array.dtype != np.float64 or not (flags.c_contiguous and flags.aligned and flags.writeable):
         raise InvalidInput(
