@@ -14,13 +14,21 @@ from .observables import precession_rate as precession_rate
 from .observables import swing_frequency as swing_frequency
 from .observables import validity as validity
 from .observables import validity_map as validity_map
+from .parameters import Bob as Bob
+from .parameters import Drag as Drag
+from .parameters import Drive as Drive
 from .parameters import InvalidInput as InvalidInput
 from .parameters import Launch as Launch
 from .parameters import Pendulum as Pendulum
+from .parameters import Site as Site
+from .parameters import Suspension as Suspension
 
 __all__ = [
+    "Bob",
     "Comparison",
     "CubicMotion",
+    "Drag",
+    "Drive",
     "ExactMotion",
     "InvalidInput",
     "Launch",
@@ -29,7 +37,9 @@ __all__ = [
     "Pendulum",
     "PlaneMotion",
     "SeriesMotion",
+    "Site",
     "Spectrum",
+    "Suspension",
     "Validity",
     "ValidityMap",
     "compare",
