@@ -120,7 +120,7 @@ def _draw_azimuth(
     axes.legend(loc="best", frameon=False)
     ahead.axhline(0, color=_ink.OUTER, linestyle="--", linewidth=1.2)
     ahead.plot(time, apart, color=_ink.INNER, linewidth=1.5)
-    what = "away from that line" if course.ideal else "turned"
+    what = "off that line" if course.ideal else "turned"
     ahead.set(ylabel=f"{what} (°)")
     ahead.margins(y=0.15)
 

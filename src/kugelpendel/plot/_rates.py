@@ -4,7 +4,6 @@
 # pyright: reportUnknownMemberType=false
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,7 +11,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
 from kugelpendel.plot import _ink
-from kugelpendel.plot._units import spell_rate
+from kugelpendel.plot._units import rate_unit, spell_rate
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -58,7 +57,7 @@ def draw_rates(axes: Axes, shares: Shares | None, clock: Unit) -> None:
         return
     time = shares.times / clock.size
     beyond = shares.beyond_earth
-    unit, symbol = _unit(float(np.abs(beyond).max()))
+    unit = rate_unit(float(np.abs(beyond).max()))
     handles: list[Artist] = []
     for pace, shade in _SHADES.items():
         here = [stretch for stretch in shares.stretches() if stretch.pace == pace]
@@ -72,17 +71,23 @@ def draw_rates(axes: Axes, shares: Shares | None, clock: Unit) -> None:
     for cause, colour in _COLOURS.items():
         share = getattr(shares, cause)
         if np.abs(share).max() > _NEGLIGIBLE * largest:
-            handles += axes.plot(time, share / unit, color=colour, linewidth=1.3, label=cause)
-    handles += axes.plot(time, beyond / unit, color=_ink.TEXT, linewidth=2.0, label="together")
+            handles += axes.plot(time, share / unit.size, color=colour, linewidth=1.3, label=cause)
+    handles += axes.plot(time, beyond / unit.size, color=_ink.TEXT, linewidth=2.0, label="together")
     axes.axhline(0, color=_ink.OUTER, linestyle="--", linewidth=1.2, zorder=1)
-    low, high = _limits([getattr(shares, cause) / unit for cause in (*_COLOURS, "beyond_earth")])
+    low, high = _limits([getattr(shares, cause) / unit.size for cause in (*_COLOURS, "beyond_earth")])
     axes.set_ylim(low, high)
-    axes.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
     earth = float(shares.earth[0])
-    of_what = f"the Earth's {spell_rate(earth)}" if earth else "standing still"
+    if earth and low < -earth / unit.size < high:
+        handles.append(
+            axes.axhline(
+                -earth / unit.size, color=_ink.OUTER, linestyle=":", linewidth=1.4, label="standstill"
+            )
+        )
+    axes.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
+    beyond_what = f" beyond the Earth's {spell_rate(earth)}" if earth else ""
     axes.set(
-        title=f"What turns the plane beyond {of_what}" if earth else "What turns the plane",
-        ylabel=f"added to the rate ({symbol})",
+        title=f"What turns the plane{beyond_what}",
+        ylabel=f"added to the rate ({unit.symbol})",
     )
     axes.legend(
         handles=handles,
@@ -91,11 +96,6 @@ def draw_rates(axes: Axes, shares: Shares | None, clock: Unit) -> None:
         ncols=min(len(handles), 4),
         frameon=False,
     )
-
-
-def _unit(rate: float) -> tuple[float, str]:
-    hourly = math.radians(1) / 3600
-    return (hourly, "°/h") if rate < 3600 * hourly else (math.radians(1), "°/s")
 
 
 def _limits(lines: list[NDArray[np.float64]]) -> tuple[float, float]:

@@ -1,0 +1,45 @@
+"""One motion that is asked for several things at once, stretch after stretch."""
+
+from __future__ import annotations
+
+import copy
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    import kugelpendel as kp
+
+
+class Passes:
+    """The same motion once for each thing that is read off it.
+
+    An integrated motion goes on from where it was asked last and starts anew when it is asked for
+    an earlier time. Position and velocity at the same times, one after the other, would start it
+    anew with every stretch; each on a pass of its own they cost two passes in all.
+
+    Parameters
+    ----------
+    motion : RealMotion
+        A single one.
+    """
+
+    def __init__(self, motion: kp.RealMotion) -> None:
+        self._places, self._rates, self._pulls = (copy.copy(motion) for _ in range(3))
+        self.pendulum = motion.pendulum
+        self.site = motion.site
+        self.angular_frequency = motion.angular_frequency
+        self.effective_pendulum = motion.effective_pendulum
+
+    def position(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
+        """As that of the motion."""
+        return self._places.position(t)
+
+    def velocity(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
+        """As that of the motion."""
+        return self._rates.velocity(t)
+
+    def tension(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
+        """As that of the motion."""
+        return self._pulls.tension(t)
