@@ -87,20 +87,25 @@ def did_you_mean(word: str, allowed: Iterable[str]) -> str:
     return f" (did you mean {close[0]}?)" if close else ""
 
 
-def split(tables: Mapping[str, Any], names: Iterable[str]) -> list[Table]:
-    """Take a file apart into the tables that it must have, no more and no fewer."""
+def split(
+    tables: Mapping[str, Any], names: Iterable[str], optional: Iterable[str] = ()
+) -> list[Table]:
+    """Take a file apart: all the tables that it must have, and then those of the optional ones."""
     wanted = list(names)
+    possible = [*wanted, *optional]
     listed = ", ".join(f"[{name}]" for name in wanted)
+    allowed = ", ".join(f"[{name}]" for name in possible)
     for name, entries in tables.items():
-        if name not in wanted:
+        if name not in possible:
             shown = f"[{name}]" if isinstance(entries, dict) else f"{name} = {show(entries)}"
             raise InvalidInput(
-                f"{shown} is not known{did_you_mean(name, wanted)}; a job has the tables {listed}, "
-                "and every key stands in one of them."
+                f"{shown} is not known{did_you_mean(name, possible)}; a job has the tables "
+                f"{allowed}, and every key stands in one of them."
             )
         if not isinstance(entries, dict):
             raise InvalidInput(f"{name} = {show(entries)} should be a table: write [{name}].")
     for name in wanted:
         if name not in tables:
             raise InvalidInput(f"the table [{name}] is missing; a job has {listed}.")
-    return [Table(name, cast("dict[str, Any]", tables[name])) for name in wanted]
+    present = [name for name in possible if name in tables]
+    return [Table(name, cast("dict[str, Any]", tables[name])) for name in present]
