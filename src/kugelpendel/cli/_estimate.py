@@ -1,4 +1,4 @@
-"""How long a job takes, said before it is waited for; and a way to stop it that keeps what is done."""
+"""How long a job takes, said before it is waited for, and whether the user wants to stop it."""
 
 from __future__ import annotations
 

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 FILES = {"csv": "track.csv", "netcdf": "track.nc", "parquet": "track.parquet"}
 """Name of the track by its format."""
 
+FIGURE = "figure.png"
+
 WRITERS = {
     "csv": _formats.csv,
     "netcdf": _formats.netcdf,
@@ -27,7 +29,7 @@ WRITERS = {
 """For each format a context that opens a file and lends what appends a block to it."""
 
 BLOCK = 1 << 16
-"""Samples that are held at once: 4 MiB, so that a long track takes no more memory than a short one."""
+"""Samples held at once: 4 MiB, so that a long track takes no more memory than a short one."""
 
 
 def write_track(

@@ -45,5 +45,5 @@ class Course:
 
     @property
     def ideal_azimuth(self) -> NDArray[np.float64]:
-        """Where the plane would stand if the Earth alone had turned it since the first time, rad."""
+        """Where the plane would stand had the Earth alone turned it since the first time, rad."""
         return self.azimuth[0] + self.ideal * (self.times - self.times[0])

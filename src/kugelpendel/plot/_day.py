@@ -94,9 +94,7 @@ def day(
     return figure
 
 
-def _draw_azimuth(
-    axes: Axes, ahead: Axes, course: Course, time: NDArray[np.float64]
-) -> None:
+def _draw_azimuth(axes: Axes, ahead: Axes, course: Course, time: NDArray[np.float64]) -> None:
     """The azimuth with the ideal line, and below it how far the plane is from that line."""
     axes.plot(
         time,

@@ -74,13 +74,18 @@ def draw_rates(axes: Axes, shares: Shares | None, clock: Unit) -> None:
             handles += axes.plot(time, share / unit.size, color=colour, linewidth=1.3, label=cause)
     handles += axes.plot(time, beyond / unit.size, color=_ink.TEXT, linewidth=2.0, label="together")
     axes.axhline(0, color=_ink.OUTER, linestyle="--", linewidth=1.2, zorder=1)
-    low, high = _limits([getattr(shares, cause) / unit.size for cause in (*_COLOURS, "beyond_earth")])
+    lines = [*(getattr(shares, cause) for cause in _COLOURS), beyond]
+    low, high = _limits([line / unit.size for line in lines])
     axes.set_ylim(low, high)
     earth = float(shares.earth[0])
     if earth and low < -earth / unit.size < high:
         handles.append(
             axes.axhline(
-                -earth / unit.size, color=_ink.OUTER, linestyle=":", linewidth=1.4, label="standstill"
+                -earth / unit.size,
+                color=_ink.OUTER,
+                linestyle=":",
+                linewidth=1.4,
+                label="standstill",
             )
         )
     axes.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
