@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import copy
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import numpy as np
     from numpy.typing import NDArray
 
@@ -21,16 +22,16 @@ class Passes:
 
     Parameters
     ----------
-    motion : RealMotion
-        A single one.
+    make : callable
+        Makes the motion, a single one, as often as it is called.
     """
 
-    def __init__(self, motion: kp.RealMotion) -> None:
-        self._places, self._rates, self._pulls = (copy.copy(motion) for _ in range(3))
-        self.pendulum = motion.pendulum
-        self.site = motion.site
-        self.angular_frequency = motion.angular_frequency
-        self.effective_pendulum = motion.effective_pendulum
+    def __init__(self, make: Callable[[], kp.RealMotion]) -> None:
+        self._places, self._rates, self._pulls = make(), make(), make()
+        self.pendulum = self._places.pendulum
+        self.site = self._places.site
+        self.angular_frequency = self._places.angular_frequency
+        self.effective_pendulum = self._places.effective_pendulum
 
     def position(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
         """As that of the motion."""

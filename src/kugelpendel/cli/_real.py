@@ -70,7 +70,14 @@ def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
             Wish() as wish,
             Progress("Following the pendulum", job.grid.duration) as progress,
         ):
-            seen = record(temporary / track, motion, job.grid, job.format, wish, progress.advance)
+            seen = record(
+                temporary / track,
+                lambda: real_motion(job),
+                job.grid,
+                job.format,
+                wish,
+                progress.advance,
+            )
         found = find(job.setup, job.launch, motion, seen)
         files = [track]
         if seen.stopped:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import math
 import time
 from dataclasses import dataclass
@@ -65,7 +64,7 @@ class Record:
 
 def record(
     path: Path,
-    motion: kp.RealMotion,
+    make: Callable[[], kp.RealMotion],
     grid: Grid,
     track_format: str,
     wish: Wish,
@@ -77,8 +76,8 @@ def record(
     ----------
     path : Path
         The file.
-    motion : RealMotion
-        A single one, not asked for anything yet.
+    make : callable
+        Makes the motion, as for `Passes`.
     grid : Grid
         The times.
     track_format : str
@@ -88,11 +87,11 @@ def record(
     done : callable
         Told how many seconds the motion has gone on since the last call.
     """
-    samples, slack, watch = Passes(motion), copy.copy(motion), Watch(motion, grid.duration)
-    swing = 2 * math.pi / float(motion.angular_frequency)
+    samples, slack, watch = Passes(make), make(), Watch(make, grid.duration)
+    swing = 2 * math.pi / float(slack.angular_frequency)
     slack_time = _first(slack.events("slack", 0.0, min(2 * swing, grid.duration)))
     early = np.linspace(0.0, min(2 * swing, grid.duration, slack_time), 401)
-    pulls = copy.copy(motion).tension(early)
+    pulls = make().tension(early)
     least, most = float(pulls.min()), float(pulls.max())
     estimate = Estimate(grid.duration)
     now, rows, stretch = 0.0, 0, min(_FIRST * swing, BLOCK * grid.step)
@@ -102,7 +101,7 @@ def record(
             until = min(now + stretch, grid.duration)
             slack_time = _first(slack.events("slack", now, until))
             until = min(until, slack_time)
-            last = grid.count if until == grid.duration else math.floor(until / grid.step) + 1
+            last = _rows(grid, until)
             for first in range(rows, last, BLOCK):
                 times = grid.step * np.arange(first, min(first + BLOCK, last), dtype=np.float64)
                 block = Block.of(samples, first, times)
@@ -120,6 +119,14 @@ def record(
     return Record(
         watch.course(), watch.swing_periods, (least, most), rows, now, slack_time, stopped
     )
+
+
+def _rows(grid: Grid, until: float) -> int:
+    """How many samples come no later than that."""
+    if until == grid.duration:
+        return grid.count
+    rows = min(math.floor(until / grid.step) + 1, grid.count)
+    return rows if grid.step * (rows - 1) <= until else rows - 1
 
 
 def _first(times: np.ndarray) -> float:

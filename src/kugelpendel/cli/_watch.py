@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import math
 from typing import TYPE_CHECKING
 
@@ -13,6 +12,8 @@ from kugelpendel.cli._passes import Passes
 from kugelpendel.observables import Course
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from numpy.typing import NDArray
 
 _KEPT = 4000
@@ -24,17 +25,17 @@ class Watch:
 
     Parameters
     ----------
-    motion : RealMotion
-        A single one.
+    make : callable
+        Makes the motion, as for `Passes`.
     duration : float
         How long it will be followed at most, s.
     """
 
-    def __init__(self, motion: kp.RealMotion, duration: float) -> None:
-        half_swing = math.pi / float(motion.angular_frequency)
-        self._events = copy.copy(motion)
-        self._swing = Passes(motion)
-        self._ideal = -float(motion.site.vertical_rotation) if motion.site is not None else 0.0
+    def __init__(self, make: Callable[[], kp.RealMotion], duration: float) -> None:
+        self._events, self._swing = make(), Passes(make)
+        site = self._events.site
+        half_swing = math.pi / float(self._events.angular_frequency)
+        self._ideal = -float(site.vertical_rotation) if site is not None else 0.0
         self._every = max(1, math.ceil(duration / half_swing / _KEPT))
         self._seen = 0
         self._azimuth = 0.0
