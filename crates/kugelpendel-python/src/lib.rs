@@ -1,6 +1,8 @@
 //! Python bindings of the `kugelpendel` crate: flat arrays in, flat arrays out. Shapes, names and units are the Python
 //! side's business.
 
+mod real;
+
 use kugelpendel::{
     Ensemble, Equation, ExactMotion, Harmonic, HarmonicMotion, IntegratedMotion, Launch, MAX_POWER, Pendulum, Quantity,
     Times,
@@ -8,6 +10,7 @@ use kugelpendel::{
 use numpy::{Complex64, IntoPyArray, PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use real::RealMotions;
 
 /// Motions in a row.
 #[pyclass(frozen, module = "kugelpendel._core")]
@@ -21,7 +24,17 @@ type Harmonics<'py> = (Bound<'py, PyArray1<i32>>, Numbers<'py>, Bound<'py, PyArr
 /// Columns of one value for all or of one value each.
 struct Columns<'a>(Vec<&'a [f64]>);
 
-impl Columns<'_> {
+impl<'a> Columns<'a> {
+    /// # Errors
+    /// Another count of columns, or of rows.
+    fn checked(columns: &'a [PyReadonlyArray1<'_, f64>], width: usize, rows: usize) -> PyResult<Self> {
+        let columns = Self(columns.iter().map(PyReadonlyArray1::as_slice).collect::<Result<_, _>>()?);
+        if columns.0.len() != width || columns.0.iter().any(|column| column.len() != 1 && column.len() != rows) {
+            return Err(PyValueError::new_err(format!("this takes {width} columns of 1 or {rows} numbers")));
+        }
+        Ok(columns)
+    }
+
     fn row<const N: usize>(&self, index: usize) -> [f64; N] {
         std::array::from_fn(|k| if self.0[k].len() == 1 { self.0[k][0] } else { self.0[k][index] })
     }
@@ -70,16 +83,8 @@ impl ExactMotions {
     ) -> PyResult<Self> {
         let (width, launch) =
             launcher(kind).ok_or_else(|| PyValueError::new_err(format!("there is no launch of kind {kind:?}")))?;
-        let pendulum = Columns(pendulum.iter().map(PyReadonlyArray1::as_slice).collect::<Result<_, _>>()?);
-        let values = Columns(values.iter().map(PyReadonlyArray1::as_slice).collect::<Result<_, _>>()?);
-        let fits = |columns: &Columns<'_>, width| {
-            columns.0.len() == width && columns.0.iter().all(|column| column.len() == 1 || column.len() == count)
-        };
-        if !fits(&pendulum, 3) || !fits(&values, width) {
-            return Err(PyValueError::new_err(format!(
-                "a launch of kind {kind:?} takes {width} columns of 1 or {count}"
-            )));
-        }
+        let pendulum = Columns::checked(&pendulum, 3, count)?;
+        let values = Columns::checked(&values, width, count)?;
         let ensemble = py.detach(|| {
             Ensemble::new(count, |i| {
                 let [length, gravity, mass] = pendulum.row(i);
@@ -322,5 +327,5 @@ fn pendulum_problem(length: f64, gravity: f64, mass: f64) -> Option<String> {
 #[pymodule]
 mod _core {
     #[pymodule_export]
-    use super::{ExactMotions, HarmonicMotions, integrated, integrated_span, pendulum_problem};
+    use super::{ExactMotions, HarmonicMotions, RealMotions, integrated, integrated_span, pendulum_problem};
 }

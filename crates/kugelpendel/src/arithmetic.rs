@@ -4,6 +4,8 @@
 //! Everything numerical is therefore generic over [`Arithmetic`] and inlined into one of two entry points made by
 //! [`dispatch!`]; the processor is asked once, at run time. The two agree to the last few bits, not to the last.
 
+#[cfg(target_arch = "x86_64")]
+use std::arch::x86_64::{__m256d, _mm256_add_pd, _mm256_fmadd_pd, _mm256_loadu_pd, _mm256_set1_pd, _mm256_storeu_pd};
 use std::sync::OnceLock;
 
 pub(crate) trait Arithmetic: Copy + Send + Sync + 'static {
@@ -13,6 +15,42 @@ pub(crate) trait Arithmetic: Copy + Send + Sync + 'static {
     fn two_prod(a: f64, b: f64) -> (f64, f64);
     /// The nearest integer; ties either way.
     fn round(a: f64) -> f64;
+
+    /// Four numbers side by side, where the processor has it in one register: left to itself, the compiler takes such
+    /// loops apart again.
+    type Lanes: Copy;
+    fn lanes(array: &[f64; 4]) -> Self::Lanes;
+    fn same(value: f64) -> Self::Lanes;
+    fn array(lanes: Self::Lanes) -> [f64; 4];
+    fn mul_add_lanes(a: Self::Lanes, b: Self::Lanes, c: Self::Lanes) -> Self::Lanes;
+    fn add_lanes(a: Self::Lanes, b: Self::Lanes) -> Self::Lanes;
+}
+
+/// Lanes of any processor.
+macro_rules! portable_lanes {
+    () => {
+        type Lanes = [f64; 4];
+        #[inline(always)]
+        fn lanes(array: &[f64; 4]) -> [f64; 4] {
+            *array
+        }
+        #[inline(always)]
+        fn same(value: f64) -> [f64; 4] {
+            [value; 4]
+        }
+        #[inline(always)]
+        fn array(lanes: [f64; 4]) -> [f64; 4] {
+            lanes
+        }
+        #[inline(always)]
+        fn mul_add_lanes(a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] {
+            std::array::from_fn(|lane| Self::mul_add(a[lane], b[lane], c[lane]))
+        }
+        #[inline(always)]
+        fn add_lanes(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+            std::array::from_fn(|lane| a[lane] + b[lane])
+        }
+    };
 }
 
 /// One rounding: FMA, AVX2 or NEON.
@@ -37,9 +75,49 @@ impl Arithmetic for Fused {
     fn round(a: f64) -> f64 {
         a.round_ties_even()
     }
+
+    #[cfg(not(target_arch = "x86_64"))]
+    portable_lanes!();
+
+    #[cfg(target_arch = "x86_64")]
+    type Lanes = __m256d;
+    #[cfg(target_arch = "x86_64")]
+    #[inline(always)]
+    fn lanes(array: &[f64; 4]) -> __m256d {
+        // SAFETY: four numbers are there, and `Fused` is only used where `dispatch!` has found AVX2 and FMA.
+        unsafe { _mm256_loadu_pd(array.as_ptr()) }
+    }
+    #[cfg(target_arch = "x86_64")]
+    #[inline(always)]
+    fn same(value: f64) -> __m256d {
+        // SAFETY: as above.
+        unsafe { _mm256_set1_pd(value) }
+    }
+    #[cfg(target_arch = "x86_64")]
+    #[inline(always)]
+    fn array(lanes: __m256d) -> [f64; 4] {
+        let mut array = [0.0; 4];
+        // SAFETY: there is room for four numbers; as above.
+        unsafe { _mm256_storeu_pd(array.as_mut_ptr(), lanes) };
+        array
+    }
+    #[cfg(target_arch = "x86_64")]
+    #[inline(always)]
+    fn mul_add_lanes(a: __m256d, b: __m256d, c: __m256d) -> __m256d {
+        // SAFETY: as above.
+        unsafe { _mm256_fmadd_pd(a, b, c) }
+    }
+    #[cfg(target_arch = "x86_64")]
+    #[inline(always)]
+    fn add_lanes(a: __m256d, b: __m256d) -> __m256d {
+        // SAFETY: as above.
+        unsafe { _mm256_add_pd(a, b) }
+    }
 }
 
 impl Arithmetic for Portable {
+    portable_lanes!();
+
     #[inline(always)]
     fn mul_add(a: f64, b: f64, c: f64) -> f64 {
         a * b + c

@@ -2,7 +2,8 @@
 //!
 //! Dimensionless: lengths in l, time in 1/ω0. Both read r̈ = −Λ r with r = (x, y).
 
-use crate::taylor::{Coefficients, ORDER};
+use crate::arithmetic::Arithmetic;
+use crate::taylor::{Coefficients, Law, Point, RECIPROCALS, Series, dot, inner_terms, product, square, total};
 
 /// Which.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,58 +15,56 @@ pub enum Equation {
     Cubic,
 }
 
-/// Series of x, y, vx, vy, and of a function that reaches zero where the equation ends.
-pub(crate) type Expansion = ([Coefficients; 4], Coefficients);
-
 impl Equation {
-    /// `None` where the equation ends: at the support's level and above.
-    pub(crate) fn series(self, [x0, y0, vx0, vy0]: [f64; 4]) -> Option<Expansion> {
-        let zero: Coefficients = [0.0; ORDER + 1];
-        let (mut x, mut y, mut vx, mut vy) = (zero, zero, zero, zero);
-        (x[0], y[0], vx[0], vy[0]) = (x0, y0, vx0, vy0);
-        let (mut depth_squared, mut depth, mut ratio, mut pull) = (zero, zero, zero, zero);
-        for k in 0..=ORDER {
-            let radius_squared = product(&x, &x, k) + product(&y, &y, k);
-            let speed_squared = product(&vx, &vx, k) + product(&vy, &vy, k);
-            // Both end at the support's level: (12) divides by the depth below it, (13) would leave the sphere.
-            let square = one(k) - radius_squared;
-            depth_squared[k] = square;
-            if k == 0 && (square.is_nan() || square <= 0.0) {
-                return None;
-            }
-            pull[k] = match self {
-                Self::Cubic => speed_squared - 0.5 * radius_squared + one(k),
-                Self::Plane => {
-                    // depth = √(1 − ρ²), ratio = r·ṙ/depth
-                    if k == 0 {
-                        depth[0] = square.sqrt();
-                    } else {
-                        let known: f64 = (1..k).map(|i| depth[i] * depth[k - i]).sum();
-                        depth[k] = (square - known) / (2.0 * depth[0]);
-                    }
-                    let outward = product(&x, &vx, k) + product(&y, &vy, k);
-                    let known: f64 = (1..=k).map(|i| depth[i] * ratio[k - i]).sum();
-                    ratio[k] = (outward - known) / depth[0];
-                    product(&ratio, &ratio, k) + speed_squared + depth[k]
-                }
-            };
-            if k < ORDER {
-                let next = (k + 1) as f64;
-                (x[k + 1], y[k + 1]) = (vx[k] / next, vy[k] / next);
-                (vx[k + 1], vy[k + 1]) = (-product(&pull, &x, k) / next, -product(&pull, &y, k) / next);
-            }
-        }
-        // The depth itself goes through zero, its square does not: where there is the depth, it shows the end.
-        Some(([x, y, vx, vy], if self == Self::Plane { depth } else { depth_squared }))
+    /// Both end at the support's level: (12) divides by the depth below it, (13) would leave the sphere.
+    pub(crate) fn holds(self, point: &Point) -> bool {
+        let [x, y, _, _] = point.place;
+        x * x + y * y < 1.0
     }
 }
 
-/// The k-th coefficient of a product.
-fn product(a: &Coefficients, b: &Coefficients, k: usize) -> f64 {
-    (0..=k).map(|i| a[i] * b[k - i]).sum()
+/// What Λ is made of.
+#[derive(Default)]
+pub(crate) struct Work {
+    /// r·ṙ/depth.
+    ratio: Coefficients,
+    pull: Coefficients,
 }
 
-/// The k-th coefficient of 1.
-fn one(k: usize) -> f64 {
-    if k == 0 { 1.0 } else { 0.0 }
+impl<A: Arithmetic> Law<A> for Equation {
+    type Work = Work;
+
+    /// The guard is the depth below the support or, for (13), its square: the depth itself goes through zero, its square
+    /// does not, so where there is the depth, it shows the end.
+    #[inline(always)]
+    fn next_order<const K: usize>(&self, series: &mut Series, work: &mut Work) {
+        let Series { place, rate, guard } = series;
+        let Work { ratio, pull } = work;
+        let one = if K == 0 { 1.0 } else { 0.0 };
+        let radius_squared = square::<A, K>(place);
+        let speed_squared = square::<A, K>(rate);
+        let depth_squared = one - radius_squared;
+        pull[K] = match self {
+            Self::Cubic => {
+                guard[K] = depth_squared;
+                speed_squared - 0.5 * radius_squared + one
+            }
+            Self::Plane => {
+                let outward = total(&dot::<A, K>(place, rate));
+                if K == 0 {
+                    guard[0] = depth_squared.sqrt();
+                    ratio[0] = outward / guard[0];
+                } else {
+                    guard[K] = (depth_squared - inner_terms::<A, K>(guard, guard)) / (2.0 * guard[0]);
+                    let known = inner_terms::<A, K>(guard, ratio) + guard[K] * ratio[0];
+                    ratio[K] = (outward - known) / guard[0];
+                }
+                let ends = if K == 0 { ratio[0] * ratio[0] } else { 2.0 * ratio[0] * ratio[K] };
+                inner_terms::<A, K>(ratio, ratio) + ends + speed_squared + guard[K]
+            }
+        };
+        let turned = product::<A, K>(pull, place);
+        place[K + 1] = rate[K].map(|v| v * RECIPROCALS[K + 1]);
+        rate[K + 1] = turned.map(|f| -f * RECIPROCALS[K + 1]);
+    }
 }
