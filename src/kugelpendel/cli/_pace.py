@@ -66,13 +66,18 @@ def describe_pace(shares: Shares, ideal: float) -> list[str]:
             times = "once" if len(same) == 1 else f"{len(same)} times"
             lines.append(
                 f"The plane {pace} {times}, {100 * time / whole:.0f} % of the time; longest "
-                f"{_when(longest)}, mostly by {_NAMES[longest.cause]}."
+                f"{_when(longest)}, {_by(longest)}."
             )
     return lines
 
 
 def _sentence(stretch: Stretch) -> str:
-    return f"The plane {stretch.pace} {_when(stretch)}, mostly by {_NAMES[stretch.cause]}."
+    return f"The plane {stretch.pace} {_when(stretch)}, {_by(stretch)}."
+
+
+def _by(stretch: Stretch) -> str:
+    against = f", against {_NAMES[stretch.against]}" if stretch.against else ""
+    return f"mostly by {_NAMES[stretch.cause]}{against}"
 
 
 def _when(stretch: Stretch) -> str:

@@ -44,3 +44,7 @@ class Passes:
     def tension(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
         """As that of the motion."""
         return self._pulls.tension(t)
+
+    def reach(self, until: float) -> None:
+        """Raise InvalidInput where the motion ends before that; the next times must be later."""
+        self._places.position(until)

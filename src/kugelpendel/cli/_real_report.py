@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,6 +16,9 @@ from kugelpendel.plot import significant, spell, spell_percent, spell_rate
 if TYPE_CHECKING:
     from kugelpendel.cli._findings import Findings
     from kugelpendel.cli._job import Job
+
+_WIDTH = 96
+"""Of a sentence on the terminal: that of the table and what stands beside numbers."""
 
 _Row = tuple[str, str, str]
 """Name, value with its unit, and what the value means."""
@@ -96,14 +100,17 @@ def _tension(job: Job, found: Findings) -> _Row:
 
 def _why(found: Findings) -> list[str]:
     if found.shares is None:
-        return [f"What turns the plane cannot be told apart: {found.why_no_shares.rstrip('.')}."]
-    lines = [*shares_table(found.shares), "", *describe_pace(found.shares, found.ideal)]
+        says = f"What turns the plane cannot be told apart: {found.why_no_shares.rstrip('.')}."
+        return [textwrap.fill(says, _WIDTH)]
     apart = spell(abs(found.apart), "rad", 2)
-    lines.append(
-        f"These shares are those of the averaged equations, whose plane ends {apart} from that of "
-        "the full ones."
-    )
-    return [*lines, found.caution] if found.caution else lines
+    sentences = [
+        *describe_pace(found.shares, found.ideal),
+        "These shares are those of the averaged equations, whose plane ends "
+        f"{apart} from that of the full ones.",
+        found.caution,
+    ]
+    table = shares_table(found.shares)
+    return [*table, "", *(textwrap.fill(each, _WIDTH) for each in sentences if each)]
 
 
 def _ending(job: Job, found: Findings) -> str:

@@ -168,6 +168,7 @@ def _shares(shares: Shares) -> dict[str, Any]:
                 "from_s": stretch.start,
                 "to_s": stretch.stop,
                 "mostly_by": stretch.cause or None,
+                "against": stretch.against or None,
             }
             for stretch in shares.stretches()
         ],

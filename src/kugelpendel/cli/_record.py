@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+import kugelpendel as kp
 from kugelpendel.cli._block import Block
 from kugelpendel.cli._estimate import Estimate
 from kugelpendel.cli._passes import Passes
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
 
-    import kugelpendel as kp
     from kugelpendel.cli._estimate import Wish
     from kugelpendel.cli._grid import Grid
     from kugelpendel.observables import Course
@@ -87,35 +87,40 @@ def record(
     done : callable
         Told how many seconds the motion has gone on since the last call.
     """
-    samples, slack, watch = Passes(make), make(), Watch(make, grid.duration)
-    swing = 2 * math.pi / float(slack.angular_frequency)
-    slack_time = _first(slack.events("slack", 0.0, min(2 * swing, grid.duration)))
-    early = np.linspace(0.0, min(2 * swing, grid.duration, slack_time), 401)
-    pulls = make().tension(early)
-    least, most = float(pulls.min()), float(pulls.max())
-    estimate = Estimate(grid.duration)
-    now, rows, stretch = 0.0, 0, min(_FIRST * swing, BLOCK * grid.step)
+    samples, watch, estimate = Passes(make), Watch(make, grid.duration), Estimate(grid.duration)
+    swing = 2 * math.pi / float(samples.angular_frequency)
+    end, slack_time = _reach(make, min(2 * swing, grid.duration))
+    early = make().tension(np.linspace(0.0, end, 401))
+    least, most = float(early.min()), float(early.max())
+    now, rows, stretch = 0.0, 0, _FIRST * swing
     with WRITERS[track_format](path, None) as write:
-        while now < grid.duration and slack_time == math.inf and not wish.stop:
+        while now < min(grid.duration, slack_time) and not wish.stop:
             started = time.monotonic()
-            until = min(now + stretch, grid.duration)
-            slack_time = _first(slack.events("slack", now, until))
-            until = min(until, slack_time)
-            last = _rows(grid, until)
-            for first in range(rows, last, BLOCK):
-                times = grid.step * np.arange(first, min(first + BLOCK, last), dtype=np.float64)
-                block = Block.of(samples, first, times)
+            until = min(now + min(stretch, BLOCK * grid.step), grid.duration, slack_time)
+            times = grid.step * np.arange(rows, _rows(grid, until), dtype=np.float64)
+            try:
+                block = Block.of(samples, rows, times)
+                if until < slack_time:
+                    samples.reach(until)
+            except kp.InvalidInput:
+                known = slack_time < math.inf
+                samples, (_, slack_time) = Passes(make), _reach(make, until)
+                if known or slack_time == math.inf:
+                    raise
+                continue
+            if len(times):
                 least = min(least, float(block.tension.min()))
                 most = max(most, float(block.tension.max()))
                 write(block)
-            rows = max(rows, last)
+            rows += len(times)
             watch.advance(until)
             done(until - now)
             now = until
             estimate.after(now)
             pace = _BREATH / max(time.monotonic() - started, 1e-3)
-            stretch = min(stretch * min(pace, 4.0), BLOCK * grid.step * 16)
-    stopped = wish.stop and now < grid.duration and slack_time == math.inf
+            stretch *= min(pace, 4.0)
+    least = min(least, 0.0) if slack_time < math.inf else least
+    stopped = wish.stop and now < min(grid.duration, slack_time)
     return Record(
         watch.course(), watch.swing_periods, (least, most), rows, now, slack_time, stopped
     )
@@ -129,5 +134,7 @@ def _rows(grid: Grid, until: float) -> int:
     return rows if grid.step * (rows - 1) <= until else rows - 1
 
 
-def _first(times: np.ndarray) -> float:
-    return float(times[0]) if len(times) else math.inf
+def _reach(make: Callable[[], kp.RealMotion], until: float) -> tuple[float, float]:
+    """How far the motion goes up to that time, and when the thread goes slack; inf for not yet."""
+    slack = make().events("slack", 0.0, until)
+    return (float(slack[0]), float(slack[0])) if len(slack) else (until, math.inf)

@@ -56,8 +56,9 @@ def _suspension(suspension: kp.Suspension, frequency: float) -> str:
     parts: list[str] = []
     if stiffness:
         way = "faster" if stiffness > 0 else "slower"
+        share = _plain(abs(stiffness) / frequency)
         parts.append(
-            f"{_plain(100 * abs(stiffness) / frequency)} % {way} along {degrees(axis)} than across"
+            f"{way} by {share} along {degrees(axis)} than across (δ = {_plain(stiffness)} rad/s)"
         )
     if damping:
         parts.append(f"decay {_plain(damping)} 1/s faster along {degrees(damping_axis)}")
@@ -68,7 +69,7 @@ def _bob(bob: kp.Bob) -> str:
     thread = float(bob.thread_mass)
     on = f" on a thread of {given(thread, 'kg')}" if thread else ""
     radius, mass = spell(float(bob.radius), "m"), spell(float(bob.mass), "kg")
-    return f"ball of {radius} radius, {float(bob.density):.4g} kg/m³, {mass}{on}"
+    return f"ball of {radius} radius, {float(bob.density):.6g} kg/m³, {mass}{on}"
 
 
 def _drive(drive: kp.Drive) -> str:

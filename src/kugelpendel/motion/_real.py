@@ -235,9 +235,7 @@ class RealMotion:
         times = self._times(t, 1)
         return self._shaped(*self._motions.tension(times.ravel()), times)
 
-    def events(
-        self, kind: Event, start: float, stop: float, value: float | None = None
-    ) -> Numbers:
+    def events(self, kind: Event, start: float, stop: float, value: float | None = None) -> Numbers:
         """Times of an event between two times, s, to the last bits: shape (n,).
 
         Parameters

@@ -38,12 +38,15 @@ class Stretch:
     cause : str
         The largest share that drives the rate that way, one of `CAUSES` without "earth"; "" where
         the pace is as it should be.
+    against : str
+        The largest share the other way, where it is at least half of that; "" where none is.
     """
 
     pace: str
     start: float
     stop: float
     cause: str
+    against: str
 
 
 @dataclass(frozen=True)
@@ -112,14 +115,16 @@ class Shares:
                     str(pace[part[0]]),
                     float(self.times[first] + self.times[part[0]]) / 2,
                     float(self.times[last] + self.times[part[-1]]) / 2,
-                    self._cause(part, str(pace[part[0]])),
+                    *self._causes(part, str(pace[part[0]])),
                 )
             )
         return found
 
-    def _cause(self, part: NDArray[np.int64], pace: str) -> str:
+    def _causes(self, part: NDArray[np.int64], pace: str) -> tuple[str, str]:
         if pace == "as it should":
-            return ""
+            return "", ""
         way = np.sign(self.earth[part[0]]) * (1 if pace == "hurries" else -1)
         shares = {cause: way * getattr(self, cause)[part].mean() for cause in CAUSES[1:]}
-        return max(shares, key=lambda cause: shares[cause])
+        most = max(shares, key=lambda cause: shares[cause])
+        least = min(shares, key=lambda cause: shares[cause])
+        return most, least if -shares[least] > shares[most] / 2 else ""

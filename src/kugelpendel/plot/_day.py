@@ -79,7 +79,8 @@ def day(
             axes.tick_params(labelbottom=False)
         for axes in (ahead, rates, minor):
             axes.set_xlabel(f"time ({clock.symbol})")
-        azimuth.set_xlim(0, float(time[-1]))
+        last = shares.times[-1] if shares is not None else course.times[-1]
+        azimuth.set_xlim(0, float(last) / clock.size)
         azimuth.xaxis.set_major_locator(MaxNLocator(8, steps=[1, 2, 3, 4, 5, 6, 10]))
         for axes in (azimuth, plan):
             axes.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 3, 5, 6, 9, 10]))
