@@ -102,6 +102,8 @@ def _why(found: Findings) -> list[str]:
     if found.shares is None:
         says = f"What turns the plane cannot be told apart: {found.why_no_shares.rstrip('.')}."
         return [textwrap.fill(says, _WIDTH)]
+    if not np.any(found.shares.total):
+        return ["The plane does not turn: nothing turns it."]
     apart = spell(abs(found.apart), "rad", 2)
     sentences = [
         *describe_pace(found.shares, found.ideal),

@@ -90,6 +90,10 @@ def record(
     samples, watch, estimate = Passes(make), Watch(make, grid.duration), Estimate(grid.duration)
     swing = 2 * math.pi / float(samples.angular_frequency)
     end, slack_time = _reach(make, min(2 * swing, grid.duration))
+    if end == 0:
+        raise kp.InvalidInput(
+            "The thread is slack at the launch, so there is no motion; start lower or faster."
+        )
     early = make().tension(np.linspace(0.0, end, 401))
     least, most = float(early.min()), float(early.max())
     now, rows, stretch = 0.0, 0, _FIRST * swing
