@@ -13,7 +13,9 @@ import sys
 import time
 from pathlib import Path
 
-TOPICS = ("sampling", "scattered", "ensembles", "ladder", "series", "peers", "startup")
+TOPICS = (
+    "sampling", "scattered", "ensembles", "real", "ladder", "series", "peers", "startup"
+)  # fmt: skip
 THREADS = (
     "RAYON_NUM_THREADS",
     "OMP_NUM_THREADS",
