@@ -85,8 +85,10 @@ def _when(stretch: Stretch) -> str:
 
 
 def _fixed(value: float) -> str:
+    if abs(value) < 5e-4:
+        return "0.000" if value else "0"
     text = f"{value:+.3f}" if abs(value) < 1000 else significant(value, 4)
-    return "0" if not value else text.replace("-", "−")
+    return text.replace("-", "−")
 
 
 def _folded(azimuth: float) -> float:

@@ -94,7 +94,7 @@ def record(
         raise kp.InvalidInput(
             "The thread is slack at the launch, so there is no motion; start lower or faster."
         )
-    early = make().tension(np.linspace(0.0, end, 401))
+    early = make().tension(np.linspace(0.0, end, 400, endpoint=False))
     least, most = float(early.min()), float(early.max())
     now, rows, stretch = 0.0, 0, _FIRST * swing
     with WRITERS[track_format](path, None) as write:
