@@ -1,4 +1,8 @@
 from . import series as series
+from .builder import Answer as Answer
+from .builder import Check as Check
+from .builder import Design as Design
+from .builder import design as design
 from .motion import CubicMotion as CubicMotion
 from .motion import ExactMotion as ExactMotion
 from .motion import LinearMotion as LinearMotion
@@ -23,11 +27,15 @@ from .parameters import Launch as Launch
 from .parameters import Pendulum as Pendulum
 from .parameters import Site as Site
 from .parameters import Suspension as Suspension
+from .parameters import Wire as Wire
 
 __all__ = [
+    "Answer",
     "Bob",
+    "Check",
     "Comparison",
     "CubicMotion",
+    "Design",
     "Drag",
     "Drive",
     "ExactMotion",
@@ -44,7 +52,9 @@ __all__ = [
     "Suspension",
     "Validity",
     "ValidityMap",
+    "Wire",
     "compare",
+    "design",
     "precession_rate",
     "series",
     "swing_frequency",

@@ -2,10 +2,10 @@
 
 use crate::arithmetic::{Arithmetic, dispatch};
 use crate::double_double::{Dd, Pair};
-use crate::events::{first, radial};
+use crate::events::{Beyond, Guard, Outside, Outward, first};
 use crate::forces::{Drive, Thread};
 use crate::real::RealMotion;
-use crate::sphere::Kind;
+use crate::sphere::{Kind, turning_point};
 use crate::taylor::{Law, Point, Series};
 
 /// In 1/ω0. Longer ones are never worth their last terms, and an event could come and go within.
@@ -95,6 +95,9 @@ fn advance_with<A: Arithmetic>(_: A, motion: &RealMotion, walk: &mut Walk) {
         (_, true, false) => Law::<A>::continue_series(&Kind::<true, true, false>(law), series),
     };
     walk.size = walk.direction * walk.series.reach(motion.tolerance).min(LONGEST);
+    if law.quadratic != 0.0 {
+        walk.size = turning_point::<A>(&walk.series, walk.size).unwrap_or(walk.size);
+    }
     let taut = if walk.free { walk.becomes_taut::<A>() } else { walk.may_slacken::<A>(motion) };
     let pushed = !taut && walk.is_pushed::<A>(motion);
     walk.next = walk.series.at::<A>(walk.size);
@@ -110,12 +113,7 @@ impl Walk {
     /// In flight: cuts the step where the bob comes back to the sphere.
     #[inline(always)]
     fn becomes_taut<A: Arithmetic>(&mut self) -> bool {
-        let series = &self.series;
-        let outside = |since: f64| {
-            let Point { place: [x, y, z, _], .. } = series.at::<A>(since);
-            x * x + y * y + (z - 1.0) * (z + 1.0)
-        };
-        let Some(size) = first(outside, self.size, true) else { return false };
+        let Some(size) = first::<A>(&Outside(&self.series), self.size, true) else { return false };
         if size == 0.0 {
             return false;
         }
@@ -130,9 +128,8 @@ impl Walk {
         if motion.thread == Thread::Rod || self.series.guard_holds(self.size) {
             return false;
         }
-        let series = &self.series;
-        let already = series.guard[0] <= 0.0;
-        let root = if already { Some(0.0) } else { first(|since| series.guard_at::<A>(since), self.size, false) };
+        let already = self.series.guard[0] <= 0.0;
+        let root = if already { Some(0.0) } else { first::<A>(&Guard(&self.series), self.size, false) };
         let Some(size) = root else { return false };
         self.size = size;
         match motion.thread {
@@ -151,17 +148,10 @@ impl Walk {
             Drive::Radius { radius, .. } => (0.0, Some(radius / motion.pendulum.length)),
         };
         let series = &self.series;
-        let outward = |since: f64| radial(&series.at::<A>(since));
         if self.armed && self.push_in.is_none() {
             self.push_in = match radius {
-                None => first(outward, self.size, true).map(|closest| closest + phase),
-                Some(radius) => {
-                    let beyond = |since: f64| {
-                        let Point { place: [x, y, _, _], .. } = series.at::<A>(since);
-                        x * x + y * y - radius * radius
-                    };
-                    first(beyond, self.size, true)
-                }
+                None => first::<A>(&Outward(series), self.size, true).map(|closest| closest + phase),
+                Some(radius) => first::<A>(&Beyond(series, radius), self.size, true),
             };
             self.armed = self.push_in.is_none();
         }
@@ -173,7 +163,7 @@ impl Walk {
             }
             _ => false,
         };
-        self.armed |= first(outward, self.size, false).is_some();
+        self.armed |= first::<A>(&Outward(&self.series), self.size, false).is_some();
         pushed
     }
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cached_property
 from math import inf, isfinite
-from typing import Literal, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -124,6 +124,18 @@ class RealMotion:
         if self.shape == ():
             for _, sentence in self._motions.problems():
                 raise InvalidInput(sentence)
+
+    def __reduce__(self) -> tuple[type[RealMotion], tuple[Pendulum, Launch], dict[str, Any]]:
+        around = self._around
+        options: dict[str, Any] = {
+            "site": around.site, "drag": around.drag, "suspension": around.suspension,
+            "bob": around.bob, "drive": around.drive, "thread": self._thread,
+            "tolerance": self._tolerance,
+        }  # fmt: skip
+        return (RealMotion, (around.pendulum, around.launch), options)
+
+    def __setstate__(self, options: dict[str, Any]) -> None:
+        self.__init__(self.pendulum, self.launch, **options)
 
     @property
     def pendulum(self) -> Pendulum:

@@ -14,3 +14,4 @@ from ._numbers import unfit as unfit
 from ._pendulum import Pendulum as Pendulum
 from ._site import Site as Site
 from ._suspension import Suspension as Suspension
+from ._wire import Wire as Wire

@@ -1,6 +1,7 @@
 from ._compared import compared as compared
 from ._constants import Constants as Constants
 from ._day import day as day
+from ._design import design as design
 from ._overview import overview as overview
 from ._overview import save as save
 from ._turning import turning_rate as turning_rate
@@ -20,6 +21,7 @@ __all__ = [
     "Unit",
     "compared",
     "day",
+    "design",
     "overview",
     "rate_unit",
     "save",

@@ -1,0 +1,197 @@
+"""The pendulum that the questions are about, and the motions that check the answers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from ..motion import ExactMotion, RealMotion
+from ..parameters import (
+    Bob,
+    Drag,
+    Drive,
+    InvalidInput,
+    Launch,
+    Pendulum,
+    Site,
+    Suspension,
+    Wire,
+)
+
+_FINE, _COARSE = 1e-17, 1e-12
+"""Tolerances: the coarse one is for many swings whose phase nobody asks for."""
+
+
+@dataclass(frozen=True)
+class Case:
+    """One pendulum, its swing, what acts on it, and what is asked; all single, in SI.
+
+    a and b are the turning radii of the swing as seen from a frame that does not turn.
+    """
+
+    pendulum: Pendulum
+    a: float
+    b: float
+    azimuth: float
+    site: Site | None
+    drag: Drag | None
+    suspension: Suspension | None
+    bob: Bob | None
+    drive: Drive | None
+    wire: Wire | None
+    share: float
+    after: float
+    radius: float | None
+    time: float | None
+    checked: bool
+    worked: Callable[[], None] = field(default=lambda: None, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        _refuse_ensembles(self)
+        _refuse_numbers(self)
+        site = self.site
+        if site is not None and site.gravity_given and float(site.gravity) != self.gravity:
+            raise InvalidInput(
+                f"The site's gravity is {float(site.gravity):.9g} m/s², the pendulum's is "
+                f"{self.gravity:.9g} m/s²; give the pendulum that of the site, or leave out the "
+                "site's."
+            )
+
+    @property
+    def length(self) -> float:
+        """l, m."""
+        return float(self.pendulum.length)
+
+    @property
+    def gravity(self) -> float:
+        """g, m/s²."""
+        return float(self.pendulum.gravity)
+
+    @cached_property
+    def effective(self) -> Pendulum:
+        """A point mass that swings as the bob does."""
+        factor = 1.0 if self.bob is None else float(self.bob.gravity_factor(self.length))
+        return Pendulum(self.length, self.gravity * factor, self.pendulum.mass)
+
+    @property
+    def omega(self) -> float:
+        """ω0 with the bob's corrections, rad/s."""
+        return float(self.effective.angular_frequency)
+
+    @cached_property
+    def ideal(self) -> ExactMotion:
+        """The swing without Earth, air or suspension."""
+        return ExactMotion(self.effective, Launch.apsides(self.a, self.b, self.azimuth))
+
+    @property
+    def swing(self) -> float:
+        """Period of the swing, there and back, s."""
+        return 2 * float(self.ideal.radial_period)
+
+    @property
+    def earth(self) -> float:
+        """Ω_z, rad/s; 0 without a site."""
+        return 0.0 if self.site is None else float(self.site.vertical_rotation)
+
+    @property
+    def linear(self) -> float:
+        """γ, 1/s."""
+        return 0.0 if self.drag is None else float(self.drag.linear)
+
+    @property
+    def square(self) -> float:
+        """Of the quadratic drag: a' = −γa − ka² of a plane swing, k = (4/3π) c ω0, 1/(m s)."""
+        quadratic = 0.0 if self.drag is None else float(self.drag.quadratic)
+        return 4 / (3 * math.pi) * quadratic * self.omega
+
+    @property
+    def decay(self) -> float:
+        """−a'/a at the given amplitude, 1/s."""
+        return self.linear + self.square * self.a
+
+    def launch(self, b: float, *, turning: bool, a: float | None = None) -> Launch:
+        """From the outer turning point, so that the ellipse is a by b where nothing turns.
+
+        Where the Earth turns below (turning), the bob's own speed is less than that by Ω_z a.
+        """
+        out = self.a if a is None else a
+        apsides = ExactMotion(self.effective, Launch.apsides(out, b))
+        sideways = float(apsides.velocity(0.0)[1]) - (self.earth * out if turning else 0.0)
+        return self.pushed(out, sideways)
+
+    def pushed(self, a: float, sideways: float) -> Launch:
+        """Displaced by a along the azimuth, with a speed across it."""
+        along, across = math.cos(self.azimuth), math.sin(self.azimuth)
+        return Launch.plane(a * along, a * across, -sideways * across, sideways * along)
+
+    def run(
+        self,
+        launch: Launch,
+        *,
+        site: bool = False,
+        drag: bool | Drag = False,
+        suspension: bool | Suspension = False,
+        drive: Drive | None = None,
+        fine: bool = True,
+    ) -> RealMotion:
+        """The full equations with the bob, and with what is named of the rest."""
+        return RealMotion(
+            self.pendulum,
+            launch,
+            site=self.site if site else None,
+            drag=(self.drag if drag else None) if isinstance(drag, bool) else drag,
+            suspension=(self.suspension if suspension else None)
+            if isinstance(suspension, bool)
+            else suspension,
+            bob=self.bob,
+            drive=drive,
+            tolerance=_FINE if fine else _COARSE,
+        )
+
+
+def _refuse_ensembles(case: Case) -> None:
+    for name in ("pendulum", "site", "drag", "suspension", "bob", "drive", "wire"):
+        part = getattr(case, name)
+        if part is not None and part.shape != ():
+            raise InvalidInput(
+                f"A design answers for one pendulum, but the {name} has the shape {part.shape}; "
+                "ask for each case by itself."
+            )
+
+
+def _refuse_numbers(case: Case) -> None:
+    l = case.length  # noqa: E741
+    if not 0 < case.a < l:
+        raise InvalidInput(
+            f"The amplitude a must lie between 0 and the length {l:.6g} m, but it is "
+            f"{case.a:.6g} m; count it horizontally, from the axis."
+        )
+    if not abs(case.b) <= case.a / 2:
+        raise InvalidInput(
+            f"b = {case.b:.6g} m must not exceed half the amplitude, a = {case.a:.6g} m: the "
+            "questions are those of a swing; for rounder ellipses use kp.RealMotion."
+        )
+    if not math.isfinite(case.azimuth):
+        raise InvalidInput(f"The azimuth must be finite, but it is {case.azimuth} rad.")
+    if not 0 < case.share < 1:
+        raise InvalidInput(
+            f"The share of the Foucault rate must lie between 0 and 1, but it is {case.share:.6g}; "
+            "1 % is 0.01."
+        )
+    if not 0 < case.after < math.inf:
+        raise InvalidInput(
+            f"The time after which the amplitude is asked must be positive and finite, but it is "
+            f"{case.after:.6g} s."
+        )
+    if case.radius is not None and not abs(case.b) < case.radius < case.a:
+        raise InvalidInput(
+            f"The radius to pass must lie between |b| = {abs(case.b):.6g} m and a = "
+            f"{case.a:.6g} m, but it is {case.radius:.6g} m: the bob does not come there."
+        )
+    if case.time is not None and not 0 <= case.time < math.inf:
+        raise InvalidInput(
+            f"The time after the closest approach must be finite and not negative, but it is "
+            f"{case.time:.6g} s."
+        )
