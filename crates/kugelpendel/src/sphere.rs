@@ -26,7 +26,7 @@ const AT_ONCE: f64 = 1e-6;
 #[inline(always)]
 pub(crate) fn turning_point<A: Arithmetic>(series: &Series, size: f64) -> Option<f64> {
     let at = first::<A>(&Quickening(series, size.signum()), size, true)?;
-    let slowest = horner::<A, ORDER, _>(&series.speed_squared, at);
+    let slowest = horner::<A, _>(&series.speed_squared, ORDER, at);
     (at.abs() > AT_ONCE && slowest < SLOW * SLOW * series.speed_squared[0]).then_some(at)
 }
 

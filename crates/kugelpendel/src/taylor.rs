@@ -111,7 +111,7 @@ impl Series {
     /// The guard's value.
     #[inline(always)]
     pub(crate) fn guard_at<A: Arithmetic>(&self, since: f64) -> f64 {
-        horner::<A, ORDER, _>(&self.guard, since)
+        horner::<A, _>(&self.guard, ORDER, since)
     }
 
     /// Whether the guard stays above zero, by a bound that costs less than looking for a zero.
