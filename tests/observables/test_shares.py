@@ -53,6 +53,10 @@ def test_cause_is_the_one_that_drives_and_the_one_that_holds_against_it() -> Non
         earth=[1.0] * 2, intrinsic=[0.8] * 2, drive=[-0.6] * 2, damping=[0.1] * 2
     ).stretches()
     assert (one.pace, one.cause, one.against) == ("hurries", "intrinsic", "drive")
+    (well,) = shares(
+        earth=[1.0] * 2, intrinsic=[9.0] * 2, drive=[-8.9] * 2, anisotropy=[0.5] * 2
+    ).stretches()
+    assert (well.pace, well.cause, well.against) == ("hurries", "anisotropy", "")
     (two,) = shares(earth=[1.0] * 2, intrinsic=[0.2] * 2, damping=[-0.8] * 2).stretches()
     assert (two.pace, two.cause, two.against) == ("lags", "damping", "")
 

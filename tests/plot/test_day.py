@@ -20,8 +20,8 @@ DRAG = kp.Drag.from_half_life(5400.0)
 STORIES = {
     "day": (kp.Launch.ellipse(1.0, 0.0), {"site": SITE, "drag": DRAG}, 86400.0),
     "clamp": (
-        kp.Launch.ellipse(1.0, 0.0),
-        {"site": SITE, "suspension": kp.Suspension(2e-6, 0.4, 2e-5, 0.9)},
+        kp.Launch.ellipse(0.5, 0.0),
+        {"site": SITE, "suspension": kp.Suspension(5e-7, 0.4, 2e-5, 0.9)},
         6 * 3600.0,
     ),
     "stalls": (

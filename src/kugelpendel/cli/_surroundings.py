@@ -22,7 +22,8 @@ def describe_surroundings(setup: Setup) -> list[tuple[str, str]]:
     if setup.drag is not None:
         lines.append(("Drag", _drag(setup.drag, frequency)))
     if setup.suspension is not None:
-        lines.append(("Suspension", _suspension(setup.suspension, frequency)))
+        parts = _suspension(setup.suspension, frequency)
+        lines += zip(("Suspension", ""), parts, strict=False)
     if setup.bob is not None:
         lines.append(("Bob", _bob(setup.bob)))
     if setup.drive is not None:
@@ -51,7 +52,7 @@ def _drag(drag: kp.Drag, frequency: float) -> str:
     return "; ".join(parts) or "none"
 
 
-def _suspension(suspension: kp.Suspension, frequency: float) -> str:
+def _suspension(suspension: kp.Suspension, frequency: float) -> list[str]:
     stiffness, axis, damping, damping_axis = (float(value) for value in suspension.values)
     parts: list[str] = []
     if stiffness:
@@ -62,7 +63,7 @@ def _suspension(suspension: kp.Suspension, frequency: float) -> str:
         )
     if damping:
         parts.append(f"decay {_plain(damping)} 1/s faster along {degrees(damping_axis)}")
-    return "; ".join(parts) or "alike in all directions"
+    return parts or ["alike in all directions"]
 
 
 def _bob(bob: kp.Bob) -> str:

@@ -37,9 +37,10 @@ class Stretch:
         s.
     cause : str
         The largest share that drives the rate that way, one of `CAUSES` without "earth"; "" where
-        the pace is as it should be.
+        the pace is as it should be. Of the ellipse's own turning and the drive's the larger one
+        counts, with what the other leaves of it.
     against : str
-        The largest share the other way, where it is at least half of that; "" where none is.
+        The largest share the other way, where it is more than half of that; "" where none is.
     """
 
     pace: str
@@ -125,6 +126,13 @@ class Shares:
             return "", ""
         way = np.sign(self.earth[part[0]]) * (1 if pace == "hurries" else -1)
         shares = {cause: way * getattr(self, cause)[part].mean() for cause in CAUSES[1:]}
+        # A drive that is timed well takes back what the ellipse turns by itself: both are large,
+        # and only what remains of the two can be to blame.
+        greater, lesser = sorted(("intrinsic", "drive"), key=lambda cause: -abs(shares[cause]))
+        held = -shares[lesser] > shares[greater] / 2 > 0
+        shares[greater] += shares.pop(lesser)
         most = max(shares, key=lambda cause: shares[cause])
         least = min(shares, key=lambda cause: shares[cause])
+        if most == greater and held:
+            return most, lesser
         return most, least if -shares[least] > shares[most] / 2 else ""
