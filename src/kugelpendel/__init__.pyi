@@ -4,6 +4,7 @@ from .builder import Check as Check
 from .builder import Design as Design
 from .builder import design as design
 from .motion import CubicMotion as CubicMotion
+from .motion import EnvelopeMotion as EnvelopeMotion
 from .motion import ExactMotion as ExactMotion
 from .motion import LinearMotion as LinearMotion
 from .motion import OlssonMotion as OlssonMotion
@@ -11,10 +12,12 @@ from .motion import PlaneMotion as PlaneMotion
 from .motion import RealMotion as RealMotion
 from .motion import SeriesMotion as SeriesMotion
 from .motion import Spectrum as Spectrum
+from .motion import TurningRates as TurningRates
 from .observables import Comparison as Comparison
 from .observables import Validity as Validity
 from .observables import ValidityMap as ValidityMap
 from .observables import compare as compare
+from .observables import ellipse as ellipse
 from .observables import precession_rate as precession_rate
 from .observables import swing_frequency as swing_frequency
 from .observables import validity as validity
@@ -38,6 +41,7 @@ __all__ = [
     "Design",
     "Drag",
     "Drive",
+    "EnvelopeMotion",
     "ExactMotion",
     "InvalidInput",
     "Launch",
@@ -50,11 +54,13 @@ __all__ = [
     "Site",
     "Spectrum",
     "Suspension",
+    "TurningRates",
     "Validity",
     "ValidityMap",
     "Wire",
     "compare",
     "design",
+    "ellipse",
     "precession_rate",
     "series",
     "swing_frequency",

@@ -137,7 +137,7 @@ def test_report_names_forces_rates_and_causes(call, write) -> None:
         ("suspension", {"damping_anisotropy": "1e-6 1/s"}, ["decay 1e−06 1/s faster along 0°"]),
         ("bob", {"radius": "1 cm", "density": 8000}, ["ball of 1.000 cm radius"]),
         ("drive", {"push": "-1 mm/s", "radius": "10 cm"}, ["1 mm/s inwards", "10 cm from"]),
-        ("drive", {"push": "1e-5 m/s", "phase": "5 deg"}, ["10 µm/s outwards, 5° of phase"]),
+        ("drive", {"push": "-1e-5 m/s", "phase": "5 deg"}, ["10 µm/s inwards, 5° of phase"]),
     ],
 )  # fmt: skip
 def test_each_table_alone_makes_a_real_job(call, write, name: str, table, words) -> None:

@@ -27,7 +27,7 @@ STORIES = {
     "stalls": (
         kp.Launch.ellipse(0.5, 0.0),
         {"site": SITE, "suspension": kp.Suspension(0.0, 0.0, 3e-4, 0.4), "drag": kp.Drag(3e-4)},
-        2 * 3600.0,
+        8 * 3600.0,
     ),
     "no earth": (kp.Launch.apsides(1.0, -0.4), {"drag": DRAG}, 1800.0),
     "one swing": (kp.Launch.ellipse(1.0, 0.0), {"site": SITE}, 20.0),

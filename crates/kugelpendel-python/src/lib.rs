@@ -1,8 +1,10 @@
 //! Python bindings of the `kugelpendel` crate: flat arrays in, flat arrays out. Shapes, names and units are the Python
 //! side's business.
 
+mod envelope;
 mod real;
 
+use envelope::EnvelopeMotions;
 use kugelpendel::{
     Ensemble, Equation, ExactMotion, Harmonic, HarmonicMotion, IntegratedMotion, Launch, MAX_POWER, Pendulum, Quantity,
     Times,
@@ -327,5 +329,7 @@ fn pendulum_problem(length: f64, gravity: f64, mass: f64) -> Option<String> {
 #[pymodule]
 mod _core {
     #[pymodule_export]
-    use super::{ExactMotions, HarmonicMotions, RealMotions, integrated, integrated_span, pendulum_problem};
+    use super::{
+        EnvelopeMotions, ExactMotions, HarmonicMotions, RealMotions, integrated, integrated_span, pendulum_problem,
+    };
 }

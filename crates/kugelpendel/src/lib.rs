@@ -25,6 +25,7 @@ mod cubic;
 mod double_double;
 mod elliptic;
 mod ensemble;
+mod envelope;
 mod equations;
 mod events;
 mod exact;
@@ -57,6 +58,7 @@ mod tests;
 
 pub use arithmetic::fused;
 pub use ensemble::Ensemble;
+pub use envelope::{Envelope, EnvelopeMotion, EnvelopeWalks};
 pub use equations::Equation;
 pub use events::Event;
 pub use exact::ExactMotion;

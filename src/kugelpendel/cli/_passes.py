@@ -28,10 +28,7 @@ class Passes:
 
     def __init__(self, make: Callable[[], kp.RealMotion]) -> None:
         self._places, self._rates, self._pulls = make(), make(), make()
-        self.pendulum = self._places.pendulum
-        self.site = self._places.site
-        self.angular_frequency = self._places.angular_frequency
-        self.effective_pendulum = self._places.effective_pendulum
+        self.angular_frequency = float(self._places.angular_frequency)
 
     def position(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
         """As that of the motion."""

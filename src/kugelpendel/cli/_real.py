@@ -18,12 +18,12 @@ from kugelpendel.cli._findings import find
 from kugelpendel.cli._folder import staged
 from kugelpendel.cli._interrupted import Interrupted
 from kugelpendel.cli._progress import Progress
-from kugelpendel.cli._pumping import refuse_pumping
 from kugelpendel.cli._real_report import real_report
 from kugelpendel.cli._real_results import real_json
 from kugelpendel.cli._record import record
 from kugelpendel.cli._track import FIGURE, FILES
 from kugelpendel.cli._words import describe_launch
+from kugelpendel.motion import refuse_pumping
 from kugelpendel.plot import spell
 
 if TYPE_CHECKING:
@@ -65,7 +65,6 @@ def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
         The user asked to stop; the sentence says what is kept, and where.
     """
     motion = real_motion(job)
-    refuse_pumping(job)
     track = FILES[job.format]
     with staged(target, _FILES) as temporary:
         with (
@@ -103,6 +102,7 @@ def real_motion(job: Job) -> kp.RealMotion:
     """
     setup = job.setup
     try:
+        refuse_pumping(job.pendulum, job.launch, setup.drag, setup.drive)
         return kp.RealMotion(
             job.pendulum,
             job.launch,

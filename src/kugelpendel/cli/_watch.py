@@ -7,14 +7,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-import kugelpendel as kp
 from kugelpendel.cli._passes import Passes
-from kugelpendel.observables import Course
+from kugelpendel.observables import Course, osculating_ellipse
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from numpy.typing import NDArray
+
+    import kugelpendel as kp
 
 _KEPT = 4000
 """Turning points that are kept at most, evenly spread; more cannot be told apart in a figure."""
@@ -33,7 +34,7 @@ class Watch:
 
     def __init__(self, make: Callable[[], kp.RealMotion], duration: float) -> None:
         self._events, self._swing = make(), Passes(make)
-        site = self._events.site
+        site, self._point = self._events.site, self._events.effective_pendulum
         half_swing = math.pi / float(self._events.angular_frequency)
         self._ideal = -float(site.vertical_rotation) if site is not None else 0.0
         self._every = max(1, math.ceil(duration / half_swing / _KEPT))
@@ -54,7 +55,8 @@ class Watch:
         times = times[times > (self._last[0, 0] if len(self._last) else -1.0)]
         if len(times) == 0:
             return
-        a, b, azimuth = kp.ellipse(self._swing, times)
+        place, velocity = self._swing.position(times), self._swing.velocity(times)
+        a, b, azimuth = osculating_ellipse(place, velocity, self._point, -self._ideal, times)
         self._widest = max(self._widest, float(np.abs(b).max()))
         first = self._azimuth if self._seen else float(azimuth[0])
         # A major axis has no front end: half turns make no difference.

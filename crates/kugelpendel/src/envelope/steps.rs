@@ -1,0 +1,177 @@
+//! The averaged equations step by step, of order 8, with a polynomial over every step.
+//!
+//! Source: see [`super::tableau`].
+
+use super::law::{Law, State};
+use super::tableau::{ALL, DENSE, ERROR, STAGE, STAGES};
+
+/// Of a step, against the larger circular amplitude, and for the phase in rad.
+const TOLERANCE: f64 = 1e-11;
+const PHASE_TOLERANCE: f64 = 1e-9;
+
+/// A step ends the motion where it would have to be shorter than this.
+const SHORTEST: f64 = 1e-6;
+
+/// How far the integration has come, forwards or backwards: the latest step.
+#[derive(Clone, Debug)]
+pub(super) struct Walk {
+    direction: f64,
+    /// Where the step begins, and its size with the sign of the direction; 0 before the first.
+    start: f64,
+    size: f64,
+    /// The step as powers of the share s of it gone by and of 1 − s, in turn.
+    series: [State; 8],
+    end: State,
+    slope: State,
+    /// What the next step will try.
+    next: f64,
+    /// arg B₊ and arg B₋, followed continuously: at the beginning of the step and at its end.
+    angles: [f64; 2],
+    end_angles: [f64; 2],
+    pub(super) ended: bool,
+}
+
+/// The motion at one time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Moment {
+    pub(super) state: State,
+    /// arg B₊ and arg B₋, continuous from the launch on.
+    pub(super) angles: [f64; 2],
+}
+
+impl Walk {
+    pub(super) fn new(law: &Law, start: &Moment, direction: f64) -> Self {
+        let state = start.state;
+        let slope = law.slope(&state);
+        let mut series = [[0.0; 5]; 8];
+        series[0] = state;
+        let rate = size(&slope) / size(&state) + slope[4].abs();
+        let next = direction * if rate > 0.0 && rate.is_finite() { (0.1 / rate).min(1e6) } else { 1e6 };
+        let angles = start.angles;
+        Self {
+            direction,
+            start: 0.0,
+            size: 0.0,
+            series,
+            end: state,
+            slope,
+            next,
+            angles,
+            end_angles: angles,
+            ended: false,
+        }
+    }
+
+    /// Whether the time lies before the step begun last.
+    pub(super) fn is_past(&self, time: f64) -> bool {
+        (time - self.start) * self.direction < 0.0
+    }
+
+    pub(super) fn reaches(&self, time: f64) -> bool {
+        (time - self.start - self.size) * self.direction <= 0.0
+    }
+
+    /// The time up to which it has come.
+    pub(super) fn until(&self) -> f64 {
+        self.start + self.size
+    }
+
+    pub(super) fn at(&self, time: f64) -> Moment {
+        let share = if self.size == 0.0 { 0.0 } else { (time - self.start) / self.size };
+        let mut state = self.series[7];
+        for (k, series) in self.series[..7].iter().enumerate().rev() {
+            let factor = if k % 2 == 0 { share } else { 1.0 - share };
+            for (value, coefficient) in state.iter_mut().zip(series) {
+                *value = *value * factor + coefficient;
+            }
+        }
+        Moment { state, angles: followed(self.angles, &self.series[0], &state) }
+    }
+
+    /// The next step; none where the motion ends, that is where the bob comes level with the support.
+    pub(super) fn advance(&mut self, law: &Law) {
+        let (begin, begin_angles) = (self.end, self.end_angles);
+        let mut slopes = [[0.0; 5]; ALL];
+        slopes[0] = self.slope;
+        let mut step = self.next;
+        loop {
+            for stage in 1..=STAGES {
+                slopes[stage] = law.slope(&after(&begin, step, STAGE[stage - 1], &slopes));
+            }
+            let end = after(&begin, step, STAGE[STAGES - 1], &slopes);
+            let error = error(&slopes, size(&begin).max(size(&end)), step);
+            if error <= 1.0 {
+                for stage in STAGES + 1..ALL {
+                    slopes[stage] = law.slope(&after(&begin, step, STAGE[stage - 1], &slopes));
+                }
+                self.start += self.size;
+                self.size = step;
+                self.series = interpolant(&begin, &end, step, &slopes);
+                (self.end, self.slope) = (end, slopes[STAGES]);
+                self.angles = begin_angles;
+                self.end_angles = followed(begin_angles, &begin, &end);
+                self.next = step * (0.9 * error.powf(-0.125)).clamp(0.33, 6.0);
+                return;
+            }
+            // A NaN means that a stage went beyond the support.
+            step *= if error.is_nan() { 0.25 } else { (0.9 * error.powf(-0.125)).clamp(0.1, 0.9) };
+            if step.abs() < SHORTEST {
+                self.ended = true;
+                return;
+            }
+        }
+    }
+}
+
+fn after(begin: &State, step: f64, weights: &[f64], slopes: &[State; ALL]) -> State {
+    let mut state = *begin;
+    for (weight, slope) in weights.iter().zip(slopes) {
+        if *weight != 0.0 {
+            for (value, rate) in state.iter_mut().zip(slope) {
+                *value += step * weight * rate;
+            }
+        }
+    }
+    state
+}
+
+/// The larger circular amplitude.
+fn size(state: &State) -> f64 {
+    state[0].hypot(state[1]).max(state[2].hypot(state[3]))
+}
+
+/// Of the step, in units of the tolerance.
+fn error(slopes: &[State; ALL], size: f64, step: f64) -> f64 {
+    let scale = TOLERANCE * size.max(f64::MIN_POSITIVE / TOLERANCE);
+    let [fifth, third] = ERROR.map(|weights| {
+        let sum = after(&[0.0; 5], 1.0, &weights, slopes);
+        let circles = sum[..4].iter().map(|value| (value / scale).powi(2)).sum::<f64>();
+        (circles + (sum[4] / PHASE_TOLERANCE).powi(2)) / 5.0
+    });
+    if fifth == 0.0 { 0.0 } else { step.abs() * fifth / (fifth + 0.01 * third).sqrt() }
+}
+
+fn interpolant(begin: &State, end: &State, step: f64, slopes: &[State; ALL]) -> [State; 8] {
+    let mut series = [[0.0; 5]; 8];
+    series[0] = *begin;
+    for k in 0..5 {
+        let (rise, first, last) = (end[k] - begin[k], step * slopes[0][k], step * slopes[STAGES][k]);
+        series[1][k] = rise;
+        series[2][k] = first - rise;
+        series[3][k] = 2.0 * rise - first - last;
+    }
+    for (row, weights) in series[4..].iter_mut().zip(&DENSE) {
+        *row = after(&[0.0; 5], step, weights, slopes);
+    }
+    series
+}
+
+/// The angles of B± at a later state of the same step, which turns them by less than half a turn.
+fn followed(angles: [f64; 2], begin: &State, state: &State) -> [f64; 2] {
+    let turned = |k: usize| {
+        let (cos, sin) =
+            (begin[k] * state[k] + begin[k + 1] * state[k + 1], begin[k] * state[k + 1] - begin[k + 1] * state[k]);
+        if cos == 0.0 && sin == 0.0 { 0.0 } else { sin.atan2(cos) }
+    };
+    [angles[0] + turned(0), angles[1] + turned(2)]
+}

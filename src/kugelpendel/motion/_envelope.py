@@ -1,0 +1,269 @@
+"""The averaged motion of a real pendulum: days of it at once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .. import _core
+from ..parameters import (
+    Bob,
+    Drag,
+    Drive,
+    InvalidInput,
+    Launch,
+    Numbers,
+    Pendulum,
+    Scalars,
+    Site,
+    Suspension,
+)
+from ._pumping import refuse_pumping
+from ._surroundings import Surroundings
+from ._times import checked_grid, checked_times
+
+_AHEAD = 1e8
+"""s: how far an end of the motion is looked for, some three years."""
+
+
+@dataclass(frozen=True)
+class TurningRates:
+    """How fast the plane of the swing turns, cause by cause, and the swing changes.
+
+    Arrays of one shape; rad/s, positive counter-clockwise seen from above. The first five are
+    shares of dψ/dt, averaged over a swing, and add up to `total`.
+
+    Attributes
+    ----------
+    earth
+        −Ω_z of the site.
+    intrinsic
+        Ω of the ideal motion, which goes with the area of the ellipse.
+    anisotropy
+        Of the suspension's stiffness; infinite on a circle, which has no axis.
+    damping
+        Of damping that depends on the direction. Drag that does not turns no plane.
+    drive
+        Of the pushes.
+    outer, inner
+        Rates of a and b, m/s, all causes together.
+    """
+
+    earth: Numbers
+    intrinsic: Numbers
+    anisotropy: Numbers
+    damping: Numbers
+    drive: Numbers
+    outer: Numbers
+    inner: Numbers
+
+    @property
+    def total(self) -> Numbers:
+        """dψ/dt, rad/s."""
+        return self.earth + self.intrinsic + self.anisotropy + self.damping + self.drive
+
+
+class EnvelopeMotion:
+    """A real pendulum, averaged over its swings: an ellipse that turns, shrinks and widens.
+
+    What `RealMotion` integrates swing by swing goes in some dozens of steps here, over days. Arrays
+    in what is given broadcast to an ensemble.
+
+    Parameters
+    ----------
+    pendulum, launch, site, drag, suspension, bob, drive
+        As for `RealMotion`; the horizontal part of the Earth's rotation averages out.
+    exact
+        Whether ω and Ω are those of the closed form, and linear drag is averaged at any amplitude;
+        otherwise the first-order formulas, Olsson's (25) and (26).
+
+    Raises
+    ------
+    InvalidInput
+        For what `RealMotion` would refuse, a launch that rises to the support, and a drive that
+        pumps without end. In an ensemble a bad launch or pendulum gives NaN, and `reason` says why.
+
+    Notes
+    -----
+    Semi-axes are the turning radii of the mean motion: that whose place and rate of place at t = 0
+    are those of the launch. What is left out is of second order in the forces, and for quadratic
+    drag, the suspension and the drive of relative order (a/l)²; `trust` has the numbers.
+    Sources: physics of the averages in docs/conventions.md; Olsson (1981), eq. (25), (26).
+    """
+
+    def __init__(
+        self,
+        pendulum: Pendulum,
+        launch: Launch,
+        *,
+        site: Site | None = None,
+        drag: Drag | None = None,
+        suspension: Suspension | None = None,
+        bob: Bob | None = None,
+        drive: Drive | None = None,
+        exact: bool = True,
+    ):
+        around = Surroundings(pendulum, launch, site, drag, suspension, bob, drive)
+        refuse_pumping(around.effective_pendulum, launch, drag, drive)
+        self._around = around
+        self._exact = bool(exact)
+        self._motions = _core.EnvelopeMotions(
+            around.count,
+            around.pendulum_columns,
+            (launch.kind, around.launch_columns),
+            around.forces,
+            (around.drive_kind, around.drive_columns),
+            self._exact,
+        )
+        if self.shape == ():
+            for _, sentence in self._motions.problems():
+                raise InvalidInput(sentence)
+
+    @property
+    def pendulum(self) -> Pendulum:
+        """What swings, as given."""
+        return self._around.pendulum
+
+    @property
+    def launch(self) -> Launch:
+        """Position and velocity at t = 0, as given."""
+        return self._around.launch
+
+    @property
+    def site(self) -> Site | None:
+        """Where it hangs; None for a ground that does not turn."""
+        return self._around.site
+
+    @property
+    def drag(self) -> Drag | None:
+        """Of the air; None for a vacuum."""
+        return self._around.drag
+
+    @property
+    def suspension(self) -> Suspension | None:
+        """None for a perfect one."""
+        return self._around.suspension
+
+    @property
+    def bob(self) -> Bob | None:
+        """None for a point mass."""
+        return self._around.bob
+
+    @property
+    def drive(self) -> Drive | None:
+        """None for a free pendulum."""
+        return self._around.drive
+
+    @property
+    def exact(self) -> bool:
+        """Whether ω and Ω are those of the closed form."""
+        return self._exact
+
+    @property
+    def effective_pendulum(self) -> Pendulum:
+        """The point mass that moves like this bob."""
+        return self._around.effective_pendulum
+
+    @property
+    def angular_frequency(self) -> Scalars:
+        """ω0, rad/s: of infinitesimal swings, with the bob's correction."""
+        return self.effective_pendulum.angular_frequency
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Of the ensemble; () for a single motion."""
+        return self._around.shape
+
+    @cached_property
+    def span(self) -> tuple[float, float]:
+        """First and last time, s, for which all motions of the ensemble can be asked.
+
+        Where drag takes amplitude, there was more of it before: the first time is where the bob
+        would have been level with the support. A driven pendulum begins with its launch.
+        """
+        spans = self._motions.span(_AHEAD).reshape(-1, 2)
+        spans = spans[np.isfinite(spans).all(axis=-1) | np.isinf(spans).any(axis=-1)]
+        first = float(spans[:, 0].max(initial=-np.inf))
+        last = float(spans[:, 1].min(initial=np.inf))
+        return (max(first, 0.0) if self.drive is not None else first, last)
+
+    @cached_property
+    def reason(self) -> NDArray[np.str_]:
+        """Why a case of the ensemble is bad, "" where it is good: shape `shape`."""
+        sentences = [""] * self._around.count
+        for index, sentence in self._motions.problems():
+            sentences[index] = sentence
+        return np.array(sentences, dtype=np.str_).reshape(self.shape)
+
+    @property
+    def trust(self) -> str:
+        """Where the motion holds."""
+        return "Swings below the support, with forces that change them little in one swing."
+
+    def semi_axes(self, t: ArrayLike) -> Numbers:
+        """Turning radii a ≥ |b| of the mean motion, m: shape (*shape, *t.shape, 2).
+
+        b is positive where the ellipse is run through counter-clockwise. Errors as in `position`.
+        """
+        return self._read("semi_axes", t, 2)
+
+    def azimuth(self, t: ArrayLike) -> Numbers:
+        """ψ of the major axis, rad, counter-clockwise from x: shape (*shape, *t.shape).
+
+        Continuous along the motion, so it may leave ±π; at t = 0 towards the turning point that
+        is the nearest to the launch. A circle has no axis. Errors as in `position`.
+        """
+        return self._read("azimuth", t)
+
+    def phase(self, t: ArrayLike) -> Numbers:
+        """Θ, rad: shape (*shape, *t.shape); grows by π from one outer turning point to the next.
+
+        Continuous; 0 at the turning point at ψ that is the nearest to the launch. Errors as in
+        `position`.
+        """
+        return self._read("phase", t)
+
+    def rates(self, t: ArrayLike) -> TurningRates:
+        """What turns the plane at these times, cause by cause; errors as in `position`."""
+        rates = self._read("rates", t, len(fields(TurningRates)))
+        return TurningRates(*np.moveaxis(rates, -1, 0))
+
+    def position(self, t: ArrayLike) -> Numbers:
+        """Position from the support, m, z down: shape (*shape, *t.shape, 3).
+
+        On the exact motion between the turning radii of that time. Raises InvalidInput for times
+        that are not finite, and for a single motion out of its span; in an ensemble it is NaN
+        there.
+        """
+        return self._read("position", t, 3)
+
+    def velocity(self, t: ArrayLike) -> Numbers:
+        """Velocity, m/s: shape (*shape, *t.shape, 3); t and errors as in `position`.
+
+        The rate of `position`, but for its slow changes beyond the swing's fundamental.
+        """
+        return self._read("velocity", t, 3)
+
+    def sample(self, start: float, step: float, count: int) -> Numbers:
+        """Positions at start + step·k: m, shape (*shape, count, 3); errors as in `position`."""
+        size = checked_grid(start, step, count, 3 * self._around.count)
+        return self.position(float(start) + float(step) * np.arange(size))
+
+    def _read(self, what: str, t: ArrayLike, *tail: int) -> Numbers:
+        times = checked_times(t, (tail[0] if tail else 1) * self._around.count)
+        if self.drive is not None and times.size and times.min() < 0:
+            raise InvalidInput(
+                f"A driven pendulum cannot be followed back before its launch, but asked for is "
+                f"{times.min():.6g} s."
+            )
+        flat, ends = self._motions.read(what, times.ravel())
+        if self.shape == () and np.isfinite(ends[0]):
+            raise InvalidInput(
+                f"The averaged motion ends at {ends[0]:.6g} s, where the bob comes level with the "
+                f"support; asked for are times from {times.min():.6g} s to {times.max():.6g} s. "
+                f"Keep to its span, or use RealMotion."
+            )
+        return flat.reshape((*self.shape, *times.shape, *tail))
