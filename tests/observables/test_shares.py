@@ -13,7 +13,7 @@ def shares(**causes: list[float]) -> Shares:
     count = len(next(iter(causes.values())))
     values = {name: EARTH * np.array(share) for name, share in causes.items()}
     names = ("earth", "intrinsic", "anisotropy", "damping", "drive")
-    times = 10.0 * np.arange(count)
+    times = 10.0 * np.arange(count, dtype=np.float64)
     return Shares(times, times, *(values.get(name, np.zeros(count)) for name in names))
 
 

@@ -33,7 +33,7 @@ def shares_table(shares: Shares) -> list[str]:
     way = math.copysign(1.0, float(shares.earth.mean()) or float(total.mean()) or 1.0)
     slow, fast = int(np.argmin(way * total)), int(np.argmax(way * total))
     head = (f"Rate, {unit.symbol}", "mean", "least", "most", "slowest", "fastest")
-    rows = [head]
+    rows: list[tuple[str, ...]] = [head]
     for name, share in (*((cause, getattr(shares, cause)) for cause in CAUSES), ("sum", total)):
         if name != "earth" and not np.any(share):
             continue

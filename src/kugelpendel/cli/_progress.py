@@ -63,6 +63,7 @@ class Progress:
 
         columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn())
         bar = Bar(*columns, TimeRemainingColumn(), console=Console(file=sys.stderr), transient=True)
-        bar.add_task(self._title, total=self._total, completed=self._done)
+        task = bar.add_task(self._title, total=self._total)
+        bar.update(task, completed=self._done)
         bar.start()
         return bar

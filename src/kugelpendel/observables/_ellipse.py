@@ -64,6 +64,10 @@ def osculating_ellipse(
     turn = np.broadcast_to(rotation, shape).reshape((*shape, *tail))
     x, y = place[..., 0], place[..., 1]
     velocity = velocity + np.stack([-turn * y, turn * x, np.zeros_like(x)], axis=-1)
+    # Rounding of the position alone is more than a launch allows beside the small speed of a
+    # turning point.
+    along = (velocity * place).sum(axis=-1) / np.square(place).sum(axis=-1)
+    velocity = velocity - along[..., np.newaxis] * place
     columns = (np.broadcast_to(value, shape) for value in pendulum.values)
     each = Pendulum(*(column.reshape((*shape, *tail, 1)) for column in columns))
     ideal = ExactMotion(each, Launch.state(place[..., np.newaxis, :], velocity[..., np.newaxis, :]))

@@ -133,7 +133,7 @@ def _draw_swings(
     starts = np.linspace(first, max(last - swing, first), _SWINGS)
     if last - first < _SWINGS * swing:
         starts, swing = np.array([first]), last - first
-    times = np.concatenate([np.linspace(start, start + swing, _POINTS + 1) for start in starts])
+    times = (starts[:, np.newaxis] + np.linspace(0.0, swing, _POINTS + 1)).ravel()
     points = motion.position(np.minimum(times, last))[:, :2]
     reach = float(np.hypot(*points.T).max()) or 1e-3 * float(motion.pendulum.length)
     unit = unit_for(reach, "m")
