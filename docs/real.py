@@ -6,6 +6,7 @@ Writes the tables of that page anew, and the picture of Guelph's pendulum beside
 import math
 import re
 import sys
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,6 +15,10 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import kugelpendel as kp
+from kugelpendel.cli._findings import envelope
+from kugelpendel.cli._job import read_job
+from kugelpendel.cli._real import real_motion
+from kugelpendel.observables import osculating_ellipse
 from kugelpendel.plot import spell
 from kugelpendel.plot._ink import INNER, OUTER, QUIET, STYLE, TEXT
 
@@ -271,7 +276,78 @@ def table(head: list[str], rows: list[tuple[str, ...]]) -> str:
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
 
+EXAMPLES = ("pantheon-day", "museum", "short", "short-remedy", "guelph")
+AMPLITUDES = (0.05, 0.1, 0.2, 0.4, 0.6, 0.8)  # of the length
+
+
+def apart(
+    averaged: kp.EnvelopeMotion, full: Callable[[], kp.RealMotion], duration: float
+) -> tuple[float, float, float, float]:
+    """Largest differences of azimuth, °, and of a and b over a; and half of the last swing, m."""
+    times = full().events("outer", 0.0, duration)
+    position, velocity = full().position(times), full().velocity(times)
+    site = averaged.site
+    turn = 0.0 if site is None else site.vertical_rotation
+    seen = osculating_ellipse(position, velocity, averaged.effective_pendulum, turn, times)
+    a, b, azimuth = seen
+    mean_a, mean_b = averaged.semi_axes(times).T
+    off = np.degrees(azimuth - averaged.azimuth(times))
+    off -= 180 * np.round(off[0] / 180)
+    return (
+        float(np.abs(off).max()), float(np.abs(a / mean_a - 1).max()),
+        float((np.abs(b - mean_b) / mean_a).max()), float(a[-1]),
+    )  # fmt: skip
+
+
+def examples_table() -> str:
+    """How far the averaged equations are from the full ones in the examples."""
+    rows = []
+    for name in EXAMPLES:
+        job = read_job(Path(__file__).parent.parent / "examples" / f"{name}.toml")
+        found = apart(
+            envelope(job.setup, job.launch), lambda job=job: real_motion(job), job.grid.duration
+        )
+        hours = f"{job.grid.duration / HOUR:g} h"
+        rows.append((f"`{name}.toml`", hours, *(shown(value) for value in found[:3])))
+    return table(["example", "over", "azimuth, °", "a, of a", "b, of a"], rows)
+
+
+def amplitudes_table() -> str:
+    """The same for a pendulum of 1 m of any amplitude: free, then with a drive that keeps it."""
+    rows = []
+    site, clamp = kp.Site(math.radians(48)), kp.Suspension(3e-5, 0.5, 2e-5, 0.9)
+    pendulum = kp.Pendulum(1.0, float(site.gravity))
+    for amplitude in AMPLITUDES:
+        cells: list[str] = []
+        for decay, push in ((1e-4, 0.0), (1e-4, math.pi * 1e-4 * amplitude / math.cos(0.3))):
+            forces = {
+                "site": site,
+                "suspension": clamp,
+                "drag": kp.Drag(decay),
+                "drive": kp.Drive(push, phase=0.3) if push else None,
+            }
+            launch = kp.Launch.ellipse(amplitude, 0.1 * amplitude)
+
+            def full(launch: kp.Launch = launch, forces: dict = forces) -> kp.RealMotion:
+                return kp.RealMotion(pendulum, launch, **forces)
+
+            found = apart(kp.EnvelopeMotion(pendulum, launch, **forces), full, HOUR)
+            cells += [shown(value) for value in found[:3]]
+        rows.append((f"{amplitude:g} l", *cells))
+    head = ["amplitude", "azimuth, °", "a, of a", "b, of a"]
+    return table([*head, "driven: azimuth, °", "a, of a", "b, of a"], rows)
+
+
+def shown(value: float) -> str:
+    """Two digits, or all before the point."""
+    if value >= 100:
+        return f"{value:.0f}"
+    return f"{value:.1e}".replace("e-0", "e−") if value < 1e-3 else f"{value:.2g}"
+
+
 PARTS = {
+    "examples": examples_table,
+    "amplitudes": amplitudes_table,
     "published": published_table,
     "formulas": formulas_table,
     "search": search_table,

@@ -34,6 +34,9 @@ _SHADES = {"hurries": "#dceaf3", "lags": "#f7eec8", "stalls": "#f0c9c2"}
 _NEGLIGIBLE = 1e-6
 """A share that never reaches this fraction of the largest one has no line."""
 
+_CANCELLED = 0.3
+"""A drive that leaves no more than this of what the ellipse turns by itself shares its line."""
+
 _SPIKES = 4.0
 """The axis ends at so many times the range of the middle 96 % of the values."""
 
@@ -67,15 +70,14 @@ def draw_rates(axes: Axes, shares: Shares | None, clock: Unit) -> None:
             )
         if here:
             handles.append(Patch(color=shade, label=pace))
-    largest = max(float(np.abs(getattr(shares, cause)).max()) for cause in _COLOURS)
-    for cause, colour in _COLOURS.items():
-        share = getattr(shares, cause)
+    lines = _lines(shares)
+    largest = max(float(np.abs(share).max()) for _, share, _ in lines)
+    for name, share, colour in lines:
         if np.abs(share).max() > _NEGLIGIBLE * largest:
-            handles += axes.plot(time, share / unit.size, color=colour, linewidth=1.3, label=cause)
+            handles += axes.plot(time, share / unit.size, color=colour, linewidth=1.3, label=name)
     handles += axes.plot(time, beyond / unit.size, color=_ink.TEXT, linewidth=2.0, label="together")
     axes.axhline(0, color=_ink.OUTER, linestyle="--", linewidth=1.2, zorder=1)
-    lines = [*(getattr(shares, cause) for cause in _COLOURS), beyond]
-    low, high = _limits([line / unit.size for line in lines])
+    low, high = _limits([line / unit.size for line in (*(share for _, share, _ in lines), beyond)])
     axes.set_ylim(low, high)
     earth = float(shares.earth[0])
     if earth and low < -earth / unit.size < high:
@@ -101,6 +103,18 @@ def draw_rates(axes: Axes, shares: Shares | None, clock: Unit) -> None:
         ncols=min(len(handles), 4),
         frameon=False,
     )
+
+
+def _lines(shares: Shares) -> list[tuple[str, NDArray[np.float64], str]]:
+    """What is drawn beside the sum: name, share and colour; as one what all but cancels."""
+    lines = [(cause, getattr(shares, cause), colour) for cause, colour in _COLOURS.items()]
+    both = shares.intrinsic + shares.drive
+    size = float(np.abs(shares.intrinsic).max())
+    if float(np.abs(both).max()) > _CANCELLED * size:
+        return lines
+    name = f"intrinsic and drive (each up to {spell_rate(size, 3).lstrip('+')})"
+    rest = [line for line in lines if line[0] not in ("intrinsic", "drive")]
+    return [(name, both, _COLOURS["drive"]), *rest]
 
 
 def _limits(lines: list[NDArray[np.float64]]) -> tuple[float, float]:
