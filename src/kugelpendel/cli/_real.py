@@ -67,18 +67,8 @@ def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
     motion = real_motion(job)
     track = FILES[job.format]
     with staged(target, _FILES) as temporary:
-        with (
-            Wish() as wish,
-            Progress("Following the pendulum", job.grid.duration) as progress,
-        ):
-            seen = record(
-                temporary / track,
-                lambda: real_motion(job),
-                job.grid,
-                job.format,
-                wish,
-                progress.advance,
-            )
+        with Wish() as wish:
+            seen = _follow(job, temporary / track, wish)
         found = find(job.setup, job.launch, motion, seen)
         files = [track]
         if seen.stopped:
@@ -90,6 +80,17 @@ def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
         results = real_json(job, found, files)
         (temporary / _results.FILE).write_text(results, encoding="utf-8")
     return results, real_report(job, found), _named(seen, files)
+
+
+def _follow(job: Job, track: Path, wish: Wish) -> Record:
+    """Write the track, with a bar for who waits."""
+    with Progress("Following the pendulum", job.grid.duration) as progress:
+        try:
+            return record(
+                track, lambda: real_motion(job), job.grid, job.format, wish, progress.advance
+            )
+        except kp.InvalidInput as error:
+            raise kp.InvalidInput(f"{job.file}: {error}") from error
 
 
 def real_motion(job: Job) -> kp.RealMotion:

@@ -110,7 +110,7 @@ def _lines(shares: Shares) -> list[tuple[str, NDArray[np.float64], str]]:
     lines = [(cause, getattr(shares, cause), colour) for cause, colour in _COLOURS.items()]
     both = shares.intrinsic + shares.drive
     size = float(np.abs(shares.intrinsic).max())
-    if float(np.abs(both).max()) > _CANCELLED * size:
+    if not np.any(shares.drive) or float(np.abs(both).max()) > _CANCELLED * size:
         return lines
     name = f"intrinsic and drive (each up to {spell_rate(size, 3).lstrip('+')})"
     rest = [line for line in lines if line[0] not in ("intrinsic", "drive")]
