@@ -62,13 +62,15 @@ def published() -> list[tuple[str, str, str, str, str]]:
     pantheon = kp.Pendulum(67.0, float(paris.gravity))
     rate = plane_rate(67.0, 3.0, PANTHEON, 6 * HOUR)
     turn = 2 * math.pi / abs(rate)
+    period = swing_period(pantheon, 3.0)
+    longer = 67.0 * (16.5 / period) ** 2
     solar_turn = DAY / math.sin(PANTHEON)
     greece = kp.Pendulum(7.8, float(kp.Site(PALLINI).gravity))
     daily = math.degrees(plane_rate(7.8, 0.4, PALLINI, 6 * HOUR)) * DAY
     crane = plane_rate(0.83, 0.01, GUELPH, 2 * HOUR)
     return [
-        ("Panthéon", "16.5 s", spell(swing_period(pantheon, 3.0), "s"), "full equations",
-         "67 m to the bob's centre, amplitude 3 m; 16.5 s would take 67.6 m"),
+        ("Panthéon", "16.5 s", spell(period, "s"), "full equations",
+         f"67 m to the bob's centre, amplitude 3 m; 16.5 s would take {longer:.1f} m"),
         ("", "11.3 °/h", f"{abs(hourly(rate)):.2f} °/h", "full equations over 6 h",
          "48°52′, no drag, a perfect clamp, clockwise"),
         ("", "31.8 h", f"{turn / HOUR:.2f} h", "from that rate", "the same"),
