@@ -289,10 +289,19 @@ class TestDrive:
         np.testing.assert_allclose(reached, expected, rtol=3e-3)
 
     def test_no_way_back(self) -> None:
-        motion = kp.RealMotion(HALL, kp.Launch.ellipse(0.1, 0.0), drive=kp.Drive(1e-3, phase=0.0))
+        motion = kp.RealMotion(
+            HALL,
+            kp.Launch.ellipse(0.1, 0.0),
+            drag=kp.Drag(0.01),
+            drive=kp.Drive(1e-3, phase=0.0),
+        )
         assert motion.span == (0.0, np.inf)
         with pytest.raises(kp.InvalidInput, match=r"before its launch.*-1 s"):
             motion.position(-1.0)
+
+    def test_one_that_pumps_without_end(self) -> None:
+        with pytest.raises(kp.InvalidInput, match=r"push of 0\.001 m/s pumps without end.*drag"):
+            kp.RealMotion(HALL, kp.Launch.ellipse(0.1, 0.0), drive=kp.Drive(1e-3, phase=0.0))
 
 
 class TestThread:

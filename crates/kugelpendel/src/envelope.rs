@@ -21,7 +21,7 @@ use crate::launch::Launch;
 use crate::pendulum::Pendulum;
 use crate::shape::product;
 use crate::times::{Quantity, Times};
-use law::Law;
+use law::{Circles, Law};
 use std::f64::consts::{FRAC_PI_2, PI};
 use steps::{Moment, Walk};
 
@@ -137,7 +137,7 @@ impl EnvelopeMotion {
     /// The times in s between which the motion holds, looked for up to `within` s to both sides.
     pub fn span(&self, within: f64) -> [f64; 2] {
         [-1.0, 1.0].map(|direction| {
-            if self.law.is_conservative() && self.start.state == [0.0; 5] {
+            if self.law.is_ideal() {
                 return direction * f64::INFINITY;
             }
             let mut walk = Walk::new(&self.law, &self.start, direction);
@@ -184,14 +184,9 @@ impl EnvelopeMotion {
             Envelope::Azimuth => out[0] = elements.azimuth,
             Envelope::Phase => out[0] = elements.phase,
             Envelope::Rates => {
-                let shares = self.law.shares(&moment.state);
-                let slope = self.law.slope(&moment.state);
-                let [ahead, behind] = [0, 2].map(|k| {
-                    let [x, y] = [moment.state[k], moment.state[k + 1]];
-                    let size = x.hypot(y);
-                    if size > 0.0 { (x * slope[k] + y * slope[k + 1]) / size } else { 0.0 }
-                });
-                for (out, share) in out.iter_mut().zip(shares) {
+                let circles = Circles::of(&moment.state);
+                let [ahead, behind] = self.law.growth(&circles);
+                for (out, share) in out.iter_mut().zip(self.law.shares(&circles)) {
                     *out = share * self.omega0;
                 }
                 out[law::CAUSES] = (ahead + behind) * self.omega0 * length;
@@ -238,20 +233,19 @@ impl EnvelopeMotion {
 
 impl Elements {
     fn of(moment: &Moment, time: f64) -> Self {
-        let [x, y, u, v, excess] = moment.state;
-        let (p, q) = (x.hypot(y), u.hypot(v));
+        let Circles { p, q, .. } = Circles::of(&moment.state);
         let [ahead, behind] = moment.angles;
-        Self { a: p + q, b: p - q, azimuth: 0.5 * (ahead + behind), phase: time + excess + 0.5 * (ahead - behind) }
+        let phase = time + moment.state[4] + 0.5 * (ahead - behind);
+        Self { a: p + q, b: p - q, azimuth: 0.5 * (ahead + behind), phase }
     }
 }
 
 /// What the forces add to the velocity of the ideal motion, in lω0: of the swing's fundamental.
 fn slow_velocity(law: &Law, moment: &Moment, time: f64) -> [f64; 2] {
-    let [x, y, u, v, excess] = moment.state;
-    let [dx, dy, du, dv, shift] = law.perturbation(&moment.state);
-    let (sin, cos) = (time + excess).sin_cos();
-    let first = product::<Portable>([cos, sin], [dx - shift * y, dy + shift * x]);
-    let second = product::<Portable>([cos, -sin], [du + shift * v, dv - shift * u]);
+    let [ahead, behind] = law.gentle(&Circles::of(&moment.state));
+    let (sin, cos) = (time + moment.state[4]).sin_cos();
+    let first = product::<Portable>([cos, sin], ahead);
+    let second = product::<Portable>([cos, -sin], behind);
     [first[0] + second[0], first[1] + second[1]]
 }
 
@@ -294,5 +288,5 @@ fn osculating(pendulum: &Pendulum, [x, y]: [f64; 2], [vx, vy]: [f64; 2]) -> Opti
     }
     let angles = [azimuth + phase, azimuth - phase];
     let [ahead, behind] = angles.map(f64::sin_cos);
-    Some(Moment { state: [p * ahead.1, p * ahead.0, q * behind.1, q * behind.0, 0.0], angles })
+    Some(Moment { state: [p * ahead.1, p * ahead.0, q * behind.1, q * behind.0, 0.0, 0.0, 0.0], angles })
 }

@@ -98,8 +98,12 @@ fn advance_with<A: Arithmetic>(_: A, motion: &RealMotion, walk: &mut Walk) {
     if law.quadratic != 0.0 {
         walk.size = turning_point::<A>(&walk.series, walk.size).unwrap_or(walk.size);
     }
-    let taut = if walk.free { walk.becomes_taut::<A>() } else { walk.may_slacken::<A>(motion) };
-    let pushed = !taut && walk.is_pushed::<A>(motion);
+    if walk.free {
+        walk.becomes_taut::<A>();
+    } else {
+        walk.may_slacken::<A>(motion);
+    }
+    let pushed = walk.is_pushed::<A>(motion);
     walk.next = walk.series.at::<A>(walk.size);
     if !walk.next_free {
         onto_sphere(&mut walk.next);
@@ -112,31 +116,29 @@ fn advance_with<A: Arithmetic>(_: A, motion: &RealMotion, walk: &mut Walk) {
 impl Walk {
     /// In flight: cuts the step where the bob comes back to the sphere.
     #[inline(always)]
-    fn becomes_taut<A: Arithmetic>(&mut self) -> bool {
-        let Some(size) = first::<A>(&Outside(&self.series), self.size, true) else { return false };
-        if size == 0.0 {
-            return false;
+    fn becomes_taut<A: Arithmetic>(&mut self) {
+        // It starts on the sphere, which is no return.
+        let back = first::<A>(&Outside(&self.series), self.size, true).filter(|back| *back != 0.0);
+        if let Some(size) = back {
+            self.size = size;
+            self.next_free = false;
         }
-        self.size = size;
-        self.next_free = false;
-        true
     }
 
     /// On the sphere: cuts the step where the thread's pull reaches zero.
     #[inline(always)]
-    fn may_slacken<A: Arithmetic>(&mut self, motion: &RealMotion) -> bool {
+    fn may_slacken<A: Arithmetic>(&mut self, motion: &RealMotion) {
         if motion.thread == Thread::Rod || self.series.guard_holds(self.size) {
-            return false;
+            return;
         }
         let already = self.series.guard[0] <= 0.0;
         let root = if already { Some(0.0) } else { first::<A>(&Guard(&self.series), self.size, false) };
-        let Some(size) = root else { return false };
+        let Some(size) = root else { return };
         self.size = size;
         match motion.thread {
             Thread::Flies => self.next_free = true,
             _ => self.last = true,
         }
-        true
     }
 
     /// Cuts the step where the drive pushes.
@@ -157,6 +159,10 @@ impl Walk {
         }
         let pushed = match self.push_in {
             Some(time) if time <= self.size => {
+                // What the thread would have done later it may not do now.
+                if time < self.size {
+                    (self.next_free, self.last) = (self.free, false);
+                }
                 self.size = time.max(0.0);
                 self.push_in = None;
                 true
@@ -181,7 +187,9 @@ impl Walk {
         };
         rate[0] += push * ux;
         rate[1] += push * uy;
-        onto_sphere(&mut self.next);
+        if !self.next_free {
+            onto_sphere(&mut self.next);
+        }
     }
 }
 

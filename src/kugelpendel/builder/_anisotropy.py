@@ -11,6 +11,9 @@ from ._answer import AVERAGED, Answer, Check
 from ._case import Case
 from ._half_turn import HalfTurn
 
+_NARROW = 0.1
+"""Beyond this b/a the formulas for b ≪ a miss by tenths."""
+
 
 def anisotropy(case: Case) -> Iterator[Answer]:
     """Critical amplitude, critical anisotropies, and the slowest and fastest turning."""
@@ -64,8 +67,11 @@ def _extremes(case: Case, turn: HalfTurn) -> Iterator[Answer]:
         gain = 3 / 8 * case.omega * case.a / case.length**2
         opened = max(abs(case.earth + rate) for rate in (turn.slowest, turn.fastest)) / gain
         check = None if found is None else Check(opened, found.widest, how)
-        yield _answer("Ellipse that the anisotropy opens", opened, "m",
-                      "largest |b| = |Ω_z + ψ'|·8l²/(3ω0 a)", "on either side", check)  # fmt: skip
+        note = "on either side"
+        if opened > _NARROW * case.a:
+            note = "not small beside a, as these formulas need: trust the run"
+        law = "largest |b| = |Ω_z + ψ'|·8l²/(3ω0 a)"
+        yield _answer("Ellipse that the anisotropy opens", opened, "m", law, note, check)
 
 
 def _answer(

@@ -95,6 +95,17 @@ class Case:
         """Ω_z, rad/s; 0 without a site."""
         return 0.0 if self.site is None else float(self.site.vertical_rotation)
 
+    def ground(self, a: float) -> float:
+        """Speed across the swing that rest against the floor is, m/s, at a from the axis.
+
+        Ω_z a − (2/3)(a²/l) Ω_h sin(azimuth): the second is what the Coriolis force on the bob's
+        fall and rise leaves of it, docs/design.md.
+        """
+        if self.site is None:
+            return 0.0
+        level = float(self.site.horizontal_rotation) * math.sin(self.azimuth)
+        return self.earth * a - 2 / 3 * a**2 / self.length * level
+
     @property
     def linear(self) -> float:
         """γ, 1/s."""
@@ -114,11 +125,11 @@ class Case:
     def launch(self, b: float, *, turning: bool, a: float | None = None) -> Launch:
         """From the outer turning point, so that the ellipse is a by b where nothing turns.
 
-        Where the Earth turns below (turning), the bob's own speed is less than that by Ω_z a.
+        Where the Earth turns below (turning), the speed against the floor is less by `ground`.
         """
         out = self.a if a is None else a
         apsides = ExactMotion(self.effective, Launch.apsides(out, b))
-        sideways = float(apsides.velocity(0.0)[1]) - (self.earth * out if turning else 0.0)
+        sideways = float(apsides.velocity(0.0)[1]) - (self.ground(out) if turning else 0.0)
         return self.pushed(out, sideways)
 
     def pushed(self, a: float, sideways: float) -> Launch:

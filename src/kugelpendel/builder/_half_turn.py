@@ -14,8 +14,11 @@ from ._case import Case
 MOMENTS = 80
 """Turning points that a run reads in half a turn."""
 
-_MOST_SWINGS = 40_000
+_MOST_SWINGS = 100_000
 """A half turn of more swings is not run."""
+
+_STEPS = 1000
+"""In half a turn of the Earth's, to find how long a run has to be."""
 
 _LONGEST = 3.0
 """Half turns of the Earth's, after which a run ends however slow the turning is."""
@@ -33,7 +36,7 @@ class HalfTurn:
         rad/s, counter-clockwise; slowest is 0 where the swing stalls, and of the other sign where
         it turns back, which it does as fast as it turned before.
     duration
-        s; that of the Earth's own half turn where the swing stalls.
+        s, of the half turn, or until a swing that turns back is fastest on its way.
     """
 
     alone: Suspension
@@ -64,13 +67,28 @@ def by_anisotropy(case: Case, stiff: float, axis: float) -> HalfTurn:
     offset = start**2 + size * math.cos(2 * (case.azimuth - axis))
     way = math.copysign(1.0, start)
     fastest = way * math.sqrt(max(offset + abs(size), 0.0))
+    slowest = way * math.sqrt(offset - abs(size)) if offset > abs(size) else -fastest
+    duration = _duration(case, start, size, axis)
+    return HalfTurn(Suspension(stiff, axis), slowest, fastest, duration)
+
+
+def _duration(case: Case, start: float, size: float, axis: float) -> float:
+    """Until the swing has turned by half a turn, or has turned back and is fastest on its way, s.
+
+    ψ'' = S sin 2(ψ−χ), which is the derivative of the first integral, in steps of velocity Verlet.
+    """
     earth = math.pi / abs(case.earth)
-    if offset <= abs(size):
-        return HalfTurn(Suspension(stiff, axis), -fastest, fastest, earth)
-    azimuths = math.pi * (np.arange(500) + 0.5) / 500
-    duration = math.pi * float(np.mean(1 / np.sqrt(offset - size * np.cos(2 * azimuths))))
-    slowest = way * math.sqrt(offset - abs(size))
-    return HalfTurn(Suspension(stiff, axis), slowest, fastest, min(duration, _LONGEST * earth))
+    step = earth / _STEPS
+    azimuth, rate = case.azimuth, start
+    for k in range(round(_LONGEST * _STEPS)):
+        pull = size * math.sin(2 * (azimuth - axis))
+        azimuth += step * rate + step**2 / 2 * pull
+        after = rate + step / 2 * (pull + size * math.sin(2 * (azimuth - axis)))
+        back = rate * start < 0 and abs(after) < abs(rate)
+        if back or abs(azimuth - case.azimuth) >= math.pi:
+            return (k + 1) * step
+        rate = after
+    return _LONGEST * earth
 
 
 def by_damping(case: Case, damping: float, axis: float) -> HalfTurn:
@@ -78,7 +96,7 @@ def by_damping(case: Case, damping: float, axis: float) -> HalfTurn:
     earth, size = abs(case.earth), abs(damping) / 2
     way = -math.copysign(1.0, case.earth)
     alone = Suspension(0.0, 0.0, damping, axis)
-    if size >= earth:
+    if size >= earth:  # comes to rest, so half a turn of the Earth's is as good as any time
         return HalfTurn(alone, 0.0, way * (earth + size), math.pi / earth)
     duration = min(math.pi / math.sqrt(earth**2 - size**2), _LONGEST * math.pi / earth)
     return HalfTurn(alone, way * (earth - size), way * (earth + size), duration)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from ..parameters import Drag, Drive
 from . import _measured
-from ._answer import AVERAGED, Answer, Check
+from ._answer import AVERAGED, SCHUMACHER, Answer, Check
 from ._case import Case
 
 _SWINGS = 10  # over which the runs take a mean
@@ -79,9 +79,10 @@ def timing(case: Case) -> Iterator[Answer]:
     if not case.decay:
         return
     best = best_push(case, case.b or _NARROW * case.a)
-    yield _answer("Phase of the best push", best.phase, "rad", "tan 2φ = 8l²/(3Qa²), Q = ω0/2(γ + "
-                  "ka)", "after the closest approach; it cancels the intrinsic "
-                  "precession")  # fmt: skip
+    law = "tan 2φ = 8l²/(3Qa²), Q = ω0/2(γ + ka)"
+    note = "after the closest approach; it cancels the intrinsic precession"
+    source = f"{AVERAGED}; {SCHUMACHER}"
+    yield Answer("drive", "Phase of the best push", best.phase, "rad", law, source, note)
     yield _answer("Time of the best push", best.phase / case.omega, "s", "φ/ω0",
                   "after the closest approach")  # fmt: skip
     yield _answer("Radius of the best push", case.a * math.sin(best.phase), "m", "a sin φ",

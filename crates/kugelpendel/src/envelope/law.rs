@@ -1,10 +1,12 @@
 //! The averaged equations, in variables without singularities.
 //!
-//! x + iy = A₊ + A₋ with A± = B± e^{±iΦ}, a = |B₊| + |B₋|, b = |B₊| − |B₋|. Φ, the common fast phase, is a quadrature,
-//! so that B± are slow at any amplitude. Dimensionless: lengths in l, time in 1/ω0.
-//! Source: physics.md §5, there with the singular a, b, ψ; its Θ' is given the mean frequency shift δ/2 here.
+//! x + iy = A₊ + A₋ with A± = B± e^{±iΦ}, a = |B₊| + |B₋|, b = |B₊| − |B₋|: the two circular amplitudes and their fast
+//! phase. What is common to both is a quadrature of its own as well, B± = C± e^{−Γ + iΨ}, so that C± do not change at
+//! all for the ideal motion under linear drag on a turning ground. Dimensionless: lengths in l, time in 1/ω0.
+//! Source: physics.md §5, there in the singular a, b, ψ; its Θ' is given the mean frequency shift δ/2 here, and drag is
+//! that of air which turns with the ground.
 
-use super::drag::quadratic;
+use super::drag::Quadratic;
 use super::ideal::Ideal;
 use crate::arithmetic::Portable;
 use crate::forces::{Drive, Forces};
@@ -13,10 +15,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 type Complex = [f64; 2];
 
-/// B₊, B₋ and Φ less ω0t.
-pub(super) type State = [f64; 5];
+/// C₊, C₋, Φ less ω0t, Ψ, Γ.
+pub(super) type State = [f64; NUMBERS];
+pub(super) const NUMBERS: usize = 7;
 
-/// Which share of the plane's rate is meant; the order of [`Law::shares`].
+/// How many shares the plane's rate has; see [`Law::shares`].
 pub(super) const CAUSES: usize = 5;
 
 #[derive(Clone, Copy, Debug)]
@@ -35,27 +38,35 @@ pub(super) struct Law {
     drive: Drive,
 }
 
-/// What one state's circular amplitudes say: their sizes and directions.
-struct Circles {
-    p: f64,
-    q: f64,
+/// B± by their sizes and directions.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Circles {
+    pub(super) p: f64,
+    pub(super) q: f64,
     ahead: Complex,
     behind: Complex,
 }
 
 impl Circles {
-    fn of(state: &State) -> Self {
-        let (p, q) = (state[0].hypot(state[1]), state[2].hypot(state[3]));
-        let unit = |size: f64, re: f64, im: f64| if size > 0.0 { [re / size, im / size] } else { [1.0, 0.0] };
-        Self { p, q, ahead: unit(p, state[0], state[1]), behind: unit(q, state[2], state[3]) }
+    pub(super) fn of(state: &State) -> Self {
+        let [x, y, u, v, _, turned, faded] = *state;
+        let (first, second, scale) = (x.hypot(y), u.hypot(v), (-faded).exp());
+        let (sin, cos) = turned.sin_cos();
+        let unit = |size: f64, re: f64, im: f64| {
+            if size > 0.0 { product::<Portable>([cos, sin], [re / size, im / size]) } else { [1.0, 0.0] }
+        };
+        Self { p: scale * first, q: scale * second, ahead: unit(first, x, y), behind: unit(second, u, v) }
+    }
+
+    fn amplitudes(&self) -> [Complex; 2] {
+        [self.ahead.map(|value| self.p * value), self.behind.map(|value| self.q * value)]
     }
 }
 
 impl Law {
     pub(super) fn new(forces: &Forces, drive: Drive, length: f64, omega0: f64, exact: bool) -> Self {
-        let delta = forces.anisotropy / omega0;
         // The frequency along the axis is √(ω0² + 2ω0δ).
-        let split = (1.0 + 2.0 * delta).sqrt() - 1.0;
+        let split = (1.0 + 2.0 * forces.anisotropy / omega0).sqrt() - 1.0;
         let (damping, turn) = (forces.damping / omega0, forces.rotation[1] / omega0);
         let direction = |size: f64, axis: f64| [size * (2.0 * axis).cos(), size * (2.0 * axis).sin()];
         Self {
@@ -76,12 +87,7 @@ impl Law {
         }
     }
 
-    pub(super) fn is_conservative(&self) -> bool {
-        self.drag == [0.0; 2] && self.lossy == [0.0; 2] && self.drive == Drive::Absent
-    }
-
-    /// ω and Ω of the ideal motion.
-    pub(super) fn ideal(&self, p: f64, q: f64) -> Ideal {
+    fn ideal(&self, p: f64, q: f64) -> Ideal {
         match (self.exact, self.drag[0] != 0.0) {
             (false, _) => Ideal::bracketed(p, q),
             (true, false) => Ideal::exact::<false>(p, q),
@@ -93,62 +99,83 @@ impl Law {
     pub(super) fn slope(&self, state: &State) -> State {
         let circles = Circles::of(state);
         let ideal = self.ideal(circles.p, circles.q);
-        let mut rates = self.gentle(state, &circles, &ideal);
-        self.add_pushes(&circles, &ideal, &mut rates);
-        let [x, y, u, v, _] = *state;
-        rates[0] -= ideal.precession * y;
-        rates[1] += ideal.precession * x;
-        rates[2] -= ideal.precession * v;
-        rates[3] += ideal.precession * u;
-        rates[4] += ideal.frequency - 1.0;
-        rates
-    }
-
-    /// What everything but the ideal motion and the drive does to B± and Φ.
-    pub(super) fn perturbation(&self, state: &State) -> State {
-        let circles = Circles::of(state);
-        let ideal = self.ideal(circles.p, circles.q);
-        self.gentle(state, &circles, &ideal)
-    }
-
-    fn gentle(&self, state: &State, circles: &Circles, ideal: &Ideal) -> State {
-        let Circles { p, q, .. } = *circles;
-        let [x, y, u, v, _] = *state;
-        let [linear, square] = self.drag;
-        let mut fading = ideal.decay.map(|decay| linear * decay);
-        if square != 0.0 {
-            let rates = quadratic(p, q);
-            fading = [fading[0] + square * rates[0], fading[1] + square * rates[1]];
-        }
+        let fading = self.fading(&circles, &ideal);
+        let common = 0.5 * (fading[0] + fading[1]);
+        let apart = 0.5 * (fading[0] - fading[1]);
+        let [x, y, u, v, _, turned, faded] = *state;
         let mut rates = [
-            fading[0] * x + self.turn * y,
-            fading[0] * y - self.turn * x,
-            fading[1] * u + self.turn * v,
-            fading[1] * v - self.turn * u,
-            self.shift,
+            apart * x,
+            apart * y,
+            -apart * u,
+            -apart * v,
+            (ideal.frequency - 1.0) + self.shift,
+            ideal.precession - self.turn,
+            -common,
         ];
-        for (first, sign, other) in [(0, 1.0, [u, -v]), (2, -1.0, [x, -y])] {
-            let [re, im] = product::<Portable>(self.coupling(sign), other);
-            rates[first] += re;
-            rates[first + 1] += im;
+        let [coupled, pushed] = [self.coupled(&circles), self.pushed(&circles, &ideal)];
+        if coupled.is_some() || pushed.is_some() {
+            let (sin, cos) = turned.sin_cos();
+            let back = [cos, -sin].map(|value| value * faded.exp());
+            for added in [coupled, pushed].into_iter().flatten() {
+                for (k, part) in added.into_iter().enumerate() {
+                    let [re, im] = product::<Portable>(back, part);
+                    rates[2 * k] += re;
+                    rates[2 * k + 1] += im;
+                }
+            }
         }
         rates
     }
 
-    /// κ in B±' = κ B̄∓: of the anisotropic suspension ±i(δ/2)e^{2iχ}, of the anisotropic damping −(Δγ/2)e^{2iχd}.
-    fn coupling(&self, sign: f64) -> Complex {
-        [-sign * self.stiff[1] - self.lossy[0], sign * self.stiff[0] - self.lossy[1]]
+    /// What everything but the ideal motion and the drive adds to the rates of B± e^{±iΦ}, at Φ = 0.
+    pub(super) fn gentle(&self, circles: &Circles) -> [Complex; 2] {
+        let fading = self.fading(circles, &self.ideal(circles.p, circles.q));
+        let coupled = self.coupled(circles).unwrap_or_default();
+        let [ahead, behind] = circles.amplitudes();
+        let turned = |[re, im]: Complex, fading: f64, angular: f64, [more_re, more_im]: Complex| {
+            [fading * re - angular * im + more_re, fading * im + angular * re + more_im]
+        };
+        [
+            turned(ahead, fading[0], self.shift - self.turn, coupled[0]),
+            turned(behind, fading[1], -self.shift - self.turn, coupled[1]),
+        ]
     }
 
-    fn add_pushes(&self, circles: &Circles, ideal: &Ideal, rates: &mut State) {
-        let Some([ahead, behind]) = self.pushes(circles, ideal) else { return };
-        let (first, second) = (product::<Portable>(ahead, circles.ahead), product::<Portable>(behind, circles.behind));
-        for (rate, push) in rates.iter_mut().zip([first[0], first[1], second[0], second[1]]) {
-            *rate += push;
+    /// p'/p and q'/q by drag alike in all directions. Against the ground, A± go round with ω0 ∓ Ω_z.
+    fn fading(&self, circles: &Circles, ideal: &Ideal) -> [f64; 2] {
+        let [linear, square] = self.drag;
+        let mut fading = [0.0; 2];
+        if linear != 0.0 {
+            fading = [linear * (ideal.decay[0] + self.turn), linear * (ideal.decay[1] - self.turn)];
         }
+        if square != 0.0 {
+            let Quadratic { decay, wind } = Quadratic::of(circles.p, circles.q);
+            fading[0] += square * (decay[0] + self.turn * wind[0]);
+            fading[1] += square * (decay[1] - self.turn * wind[1]);
+        }
+        fading
     }
 
-    /// B₊'/e^{i arg B₊} and B₋'/e^{i arg B₋} of the drive: Δξ' = push·ξ/|ξ| once in each half swing π/ω.
+    /// κ± B̄∓: of the anisotropic suspension κ± = ±i(δ/2)e^{2iχ}, of the anisotropic damping −(Δγ/2)(1 ± Ω_z)e^{2iχd}.
+    fn coupled(&self, circles: &Circles) -> Option<[Complex; 2]> {
+        if self.stiff == [0.0; 2] && self.lossy == [0.0; 2] {
+            return None;
+        }
+        let [ahead, behind] = circles.amplitudes();
+        let coupled = |sign: f64, [re, im]: Complex| {
+            let loss = 1.0 + sign * self.turn;
+            let factor = [-sign * self.stiff[1] - loss * self.lossy[0], sign * self.stiff[0] - loss * self.lossy[1]];
+            product::<Portable>(factor, [re, -im])
+        };
+        Some([coupled(1.0, behind), coupled(-1.0, ahead)])
+    }
+
+    fn pushed(&self, circles: &Circles, ideal: &Ideal) -> Option<[Complex; 2]> {
+        let [ahead, behind] = self.pushes(circles, ideal)?;
+        Some([product::<Portable>(ahead, circles.ahead), product::<Portable>(behind, circles.behind)])
+    }
+
+    /// B₊'/e^{i arg B₊} and B₋'/e^{i arg B₋} of the drive: the velocity gains push·ξ/|ξ| in each half swing π/ω.
     fn pushes(&self, circles: &Circles, ideal: &Ideal) -> Option<[Complex; 2]> {
         let Circles { p, q, .. } = *circles;
         // cos 2Θ, sin 2Θ at the push; Θ counts from an outer turning point.
@@ -180,19 +207,35 @@ impl Law {
     }
 
     /// The plane's rate by its causes: the Earth, the ideal motion, the suspension's stiffness, its damping, the drive.
-    pub(super) fn shares(&self, state: &State) -> [f64; CAUSES] {
-        let circles = Circles::of(state);
-        let Circles { p, q, ahead, behind } = circles;
+    pub(super) fn shares(&self, circles: &Circles) -> [f64; CAUSES] {
+        let Circles { p, q, ahead, behind } = *circles;
         let ideal = self.ideal(p, q);
-        // ½ Im(B₊'/B₊ + B₋'/B₋); the axes' directions against the plane's: e^{−2iψ}.
+        // ½ Im(B₊'/B₊ + B₋'/B₋); the axes' directions against the plane's, e^{−2iψ}.
         let plane = product::<Portable>(ahead, behind);
         let seen = |axis: Complex| product::<Portable>(axis, [plane[0], -plane[1]]);
-        let per = |weight: f64, value: f64| if value == 0.0 { 0.0 } else { weight * value };
-        let stiff = per(0.5 * (q / p - p / q), seen(self.stiff)[0]);
-        let lossy = per(-0.5 * (q / p + p / q), seen(self.lossy)[1]);
-        let drive = self
-            .pushes(&circles, &ideal)
-            .map_or(0.0, |[first, second]| 0.5 * (per(1.0 / p, first[1]) + per(1.0 / q, second[1])));
-        [-self.turn, ideal.precession, stiff, lossy, drive]
+        let times = |weight: f64, value: f64| if value == 0.0 { 0.0 } else { weight * value };
+        let stiff = times(0.5 * (q / p - p / q), seen(self.stiff)[0]);
+        let turn = self.turn;
+        let lossy = times(-0.5 * ((1.0 + turn) * q / p + (1.0 - turn) * p / q), seen(self.lossy)[1]);
+        let drive = self.pushes(circles, &ideal);
+        let drive = drive.map_or(0.0, |[first, second]| 0.5 * (times(1.0 / p, first[1]) + times(1.0 / q, second[1])));
+        [-turn, ideal.precession, stiff, lossy, drive]
+    }
+
+    /// p' and q', everything together.
+    pub(super) fn growth(&self, circles: &Circles) -> [f64; 2] {
+        let ideal = self.ideal(circles.p, circles.q);
+        let [p, q] = self.fading(circles, &ideal);
+        let mut rates = [p * circles.p, q * circles.q];
+        for added in [self.coupled(circles), self.pushed(circles, &ideal)].into_iter().flatten() {
+            rates[0] += circles.ahead[0] * added[0][0] + circles.ahead[1] * added[0][1];
+            rates[1] += circles.behind[0] * added[1][0] + circles.behind[1] * added[1][1];
+        }
+        rates
+    }
+
+    /// Whether no amplitude can reach the support from below it: nothing acts but what turns the motion.
+    pub(super) fn is_ideal(&self) -> bool {
+        self.drag == [0.0; 2] && self.stiff == [0.0; 2] && self.lossy == [0.0; 2] && self.drive == Drive::Absent
     }
 }

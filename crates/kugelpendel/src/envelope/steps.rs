@@ -2,12 +2,12 @@
 //!
 //! Source: see [`super::tableau`].
 
-use super::law::{Law, State};
+use super::law::{Law, NUMBERS, State};
 use super::tableau::{ALL, DENSE, ERROR, STAGE, STAGES};
 
-/// Of a step, against the larger circular amplitude, and for the phase in rad.
-const TOLERANCE: f64 = 1e-11;
-const PHASE_TOLERANCE: f64 = 1e-9;
+/// Of a step: against the larger of C±, for Ψ in rad and for Γ; and for the phase in rad.
+const TOLERANCE: f64 = 1e-10;
+const PHASE_TOLERANCE: f64 = 1e-8;
 
 /// A step ends the motion where it would have to be shorter than this.
 const SHORTEST: f64 = 1e-6;
@@ -43,9 +43,9 @@ impl Walk {
     pub(super) fn new(law: &Law, start: &Moment, direction: f64) -> Self {
         let state = start.state;
         let slope = law.slope(&state);
-        let mut series = [[0.0; 5]; 8];
+        let mut series = [[0.0; NUMBERS]; 8];
         series[0] = state;
-        let rate = size(&slope) / size(&state) + slope[4].abs();
+        let rate = size(&slope) / size(&state) + slope[6].abs();
         let next = direction * if rate > 0.0 && rate.is_finite() { (0.1 / rate).min(1e6) } else { 1e6 };
         let angles = start.angles;
         Self {
@@ -91,7 +91,7 @@ impl Walk {
     /// The next step; none where the motion ends, that is where the bob comes level with the support.
     pub(super) fn advance(&mut self, law: &Law) {
         let (begin, begin_angles) = (self.end, self.end_angles);
-        let mut slopes = [[0.0; 5]; ALL];
+        let mut slopes = [[0.0; NUMBERS]; ALL];
         slopes[0] = self.slope;
         let mut step = self.next;
         loop {
@@ -135,43 +135,44 @@ fn after(begin: &State, step: f64, weights: &[f64], slopes: &[State; ALL]) -> St
     state
 }
 
-/// The larger circular amplitude.
+/// The larger of C±.
 fn size(state: &State) -> f64 {
     state[0].hypot(state[1]).max(state[2].hypot(state[3]))
 }
 
 /// Of the step, in units of the tolerance.
 fn error(slopes: &[State; ALL], size: f64, step: f64) -> f64 {
-    let scale = TOLERANCE * size.max(f64::MIN_POSITIVE / TOLERANCE);
-    let [fifth, third] = ERROR.map(|weights| {
-        let sum = after(&[0.0; 5], 1.0, &weights, slopes);
-        let circles = sum[..4].iter().map(|value| (value / scale).powi(2)).sum::<f64>();
-        (circles + (sum[4] / PHASE_TOLERANCE).powi(2)) / 5.0
+    let circle = 1.0 / (TOLERANCE * size.max(f64::MIN_POSITIVE / TOLERANCE));
+    let weights = [circle, circle, circle, circle, 1.0 / PHASE_TOLERANCE, 1.0 / TOLERANCE, 1.0 / TOLERANCE];
+    let [fifth, third] = ERROR.map(|coefficients| {
+        let sum = after(&[0.0; NUMBERS], 1.0, &coefficients, slopes);
+        sum.iter().zip(&weights).map(|(value, weight)| (value * weight).powi(2)).sum::<f64>() / NUMBERS as f64
     });
     if fifth == 0.0 { 0.0 } else { step.abs() * fifth / (fifth + 0.01 * third).sqrt() }
 }
 
 fn interpolant(begin: &State, end: &State, step: f64, slopes: &[State; ALL]) -> [State; 8] {
-    let mut series = [[0.0; 5]; 8];
+    let mut series = [[0.0; NUMBERS]; 8];
     series[0] = *begin;
-    for k in 0..5 {
+    for k in 0..NUMBERS {
         let (rise, first, last) = (end[k] - begin[k], step * slopes[0][k], step * slopes[STAGES][k]);
         series[1][k] = rise;
         series[2][k] = first - rise;
         series[3][k] = 2.0 * rise - first - last;
     }
     for (row, weights) in series[4..].iter_mut().zip(&DENSE) {
-        *row = after(&[0.0; 5], step, weights, slopes);
+        *row = after(&[0.0; NUMBERS], step, weights, slopes);
     }
     series
 }
 
-/// The angles of B± at a later state of the same step, which turns them by less than half a turn.
+/// The angles of B± at a later state of the same step, which turns C± by less than half a turn.
 fn followed(angles: [f64; 2], begin: &State, state: &State) -> [f64; 2] {
     let turned = |k: usize| {
         let (cos, sin) =
             (begin[k] * state[k] + begin[k + 1] * state[k + 1], begin[k] * state[k + 1] - begin[k + 1] * state[k]);
         if cos == 0.0 && sin == 0.0 { 0.0 } else { sin.atan2(cos) }
     };
-    [angles[0] + turned(0), angles[1] + turned(2)]
+    let common = state[5] - begin[5];
+    [angles[0] + common + turned(0), angles[1] + common + turned(2)]
 }

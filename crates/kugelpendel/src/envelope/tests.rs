@@ -1,6 +1,6 @@
 //! Each average against its definition.
 
-use super::drag::quadratic;
+use super::drag::Quadratic;
 use super::ideal::Ideal;
 use super::tableau::{ALL, DENSE, ERROR, STAGE, STAGES};
 use crate::{ExactMotion, Launch, Pendulum};
@@ -90,7 +90,7 @@ fn linear_drag_is_regular_on_the_circle_and_in_the_plane() {
 fn quadratic_drag_is_the_average_of_the_textbook() {
     for (a, b) in [(1.0, 0.3), (0.7, -0.65), (0.2, 0.2), (0.5, 0.499_999), (0.4, 0.01)] {
         let (p, q) = (0.5 * (a + b), 0.5 * (a - b));
-        let [dp, dq] = quadratic(p, q);
+        let [dp, dq] = Quadratic::of(p, q).decay;
         let count = 20_000;
         let (mut with_sin, mut with_cos) = (0.0, 0.0);
         for k in 0..count {
@@ -111,7 +111,7 @@ fn quadratic_drag_in_the_plane() {
     for b in [0.0, 1e-9] {
         let (a, pi) = (0.3, std::f64::consts::PI);
         let (p, q) = (0.5 * (a + b), 0.5 * (a - b));
-        let [dp, dq] = quadratic(p, q);
+        let [dp, dq] = Quadratic::of(p, q).decay;
         close(p * dp + q * dq, -4.0 / (3.0 * pi) * a * a, 1e-12);
         assert!((p * dp - q * dq + 2.0 / (3.0 * pi) * a * b).abs() < 1e-13);
     }
