@@ -1,11 +1,12 @@
 //! The averaged motion of a real pendulum: a turning ellipse whose size, form and plane change slowly.
 //!
-//! [`law`] has the equations, [`ideal`] and [`drag`] the averages in them, [`steps`] integrates them with the
+//! [`law`] has the equations, [`ideal`], [`drag`] and [`push`] the averages in them, [`steps`] integrates them with the
 //! coefficients in [`tableau`].
 
 mod drag;
 mod ideal;
 mod law;
+mod push;
 mod steps;
 mod tableau;
 #[cfg(test)]
