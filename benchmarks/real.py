@@ -9,7 +9,7 @@ import sys
 
 import heyoka as hy
 import numpy as np
-from cartesian import A, B, GRAVITY, LENGTH, OMEGA, PERIOD, start
+from cartesian import GRAVITY, LENGTH, OMEGA, PERIOD, A, B, start
 from report import Ratio, Section, Table
 from scipy.integrate import solve_ivp
 from timing import paired
@@ -150,7 +150,8 @@ def growth() -> Table:
             row.append(f"{apart.max() / LENGTH:.1e}")
         rows.append(row)
     head = ("launch", *(f"{n} periods" for n in GROWTH))
-    return Table("Largest error / l of RealMotion with all extras off, by the closed form:", head, rows)
+    caption = "Largest error / l of RealMotion with all extras off, by the closed form:"
+    return Table(caption, head, rows)
 
 
 def scaling() -> Ratio:

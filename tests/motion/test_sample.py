@@ -105,3 +105,25 @@ def test_memory_counts_every_motion_of_an_ensemble() -> None:
     ensemble = ExactMotion(Pendulum(1.0), Launch.at_rest([0.1, 0.2, 0.3, 0.4]))
     with pytest.raises(InvalidInput, match=r"1e\+11 samples would take 9.6e\+03 GB of memory"):
         ensemble.sample(0.0, 1.0, 10**11)
+
+
+def test_sample_into_an_array_that_is_there() -> None:
+    motion = ExactMotion(ROD, Launch.apsides([0.5, 0.3], 0.2))
+    out = np.full((2, 1000, 3), np.nan)
+    assert motion.sample(1.0, 0.01, 1000, out=out) is out
+    np.testing.assert_array_equal(out, motion.sample(1.0, 0.01, 1000))
+
+
+@pytest.mark.parametrize(
+    ("out", "sentence"),
+    [
+        (np.empty((5, 2)), r"shape \(5, 3\), but its shape is \(5, 2\); make it with numpy.empty"),
+        (np.empty((5, 3), np.float32), "float64, but its dtype is float32"),
+        (np.empty((5, 6))[:, ::2], r"C-contiguous.*its strides \(48, 16\)"),
+        (np.broadcast_to(np.empty(3), (5, 3)), "C-contiguous, writeable"),
+        ([0.0] * 15, "must be an array to be filled"),
+    ],
+)
+def test_an_out_that_does_not_fit(out: np.ndarray, sentence: str) -> None:
+    with pytest.raises(InvalidInput, match=sentence):
+        ExactMotion(ROD, Launch.apsides(0.5, 0.2)).sample(0.0, 0.1, 5, out=out)

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 from tests.motion.launches import GALLERY
 
-from kugelpendel import ExactMotion, Launch, Pendulum
+from kugelpendel import Drag, ExactMotion, Launch, Pendulum, RealMotion, Site, Suspension
 
 # More than a thread takes at a time of a grid or of scattered times, and no multiple of a block.
 MANY = 60_001
@@ -42,6 +42,11 @@ def results() -> dict[str, np.ndarray]:
     found["many: grid"] = ensemble.sample(0.0, 0.3, 13)
     for name in ("frequency", "precession", "apsis_time", "slack_time", "turning_heights"):
         found[f"many: {name}"] = np.asarray(getattr(ensemble, name))
+    launch = Launch.ellipse(np.linspace(0.01, 0.5, 300), 0.02)
+    around = {"site": Site(0.8), "suspension": Suspension(1e-3, 0.4, 1e-4)}
+    for name, drag in {"linear": Drag(1e-3), "quadratic": Drag(1e-3, 0.01)}.items():
+        real = RealMotion(Pendulum(1.0), launch, drag=drag, **around)
+        found[f"real, {name}: position"] = real.position([1.0, 20.0])
     return found
 
 

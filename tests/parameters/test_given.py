@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from kugelpendel import Bob, Drag, Drive, Site, Suspension
+from kugelpendel import Bob, Drag, Drive, Site, Suspension, Wire
 
 SEVERAL: list[Any] = [
     Site(0.5),
@@ -28,6 +28,8 @@ SEVERAL: list[Any] = [
     Drive(0.01, phase=0.1),
     Drive(0.01, radius=0.1),
     Drive([0.01, 0.02], radius=0.1),
+    Wire(1e-3),
+    Wire([1e-3, 2e-3], 1.9e11),
 ]
 
 
@@ -55,7 +57,7 @@ def test_nothing_can_be_changed(one: Any) -> None:
                     value[...] = 0.0
 
 
-@pytest.mark.parametrize("make", [Drag, Suspension, Site, lambda v: Drive(v, phase=0.0)])
+@pytest.mark.parametrize("make", [Drag, Suspension, Site, Wire, lambda v: Drive(v, phase=0.0)])
 def test_arrays_are_copies(make: Any) -> None:
     given = np.array([0.1, 0.2])
     one = make(given)

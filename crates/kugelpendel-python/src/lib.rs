@@ -9,7 +9,7 @@ use kugelpendel::{
     Ensemble, Equation, ExactMotion, Harmonic, HarmonicMotion, IntegratedMotion, Launch, MAX_POWER, Pendulum, Quantity,
     Times,
 };
-use numpy::{Complex64, IntoPyArray, PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
+use numpy::{Complex64, IntoPyArray, PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use real::RealMotions;
@@ -112,6 +112,13 @@ impl ExactMotions {
     fn sample<'py>(&self, py: Python<'py>, start: f64, step: f64, count: usize) -> Numbers<'py> {
         let times = Times::Grid { start, step, first: 0 };
         self.filled(py, 3 * count, |out| self.ensemble.fill(Quantity::Position, times, out))
+    }
+
+    /// The same into an array that is there already.
+    fn sample_into(&self, py: Python<'_>, start: f64, step: f64, mut out: PyReadwriteArray1<'_, f64>) -> PyResult<()> {
+        let out = out.as_slice_mut()?;
+        py.detach(|| self.ensemble.fill(Quantity::Position, Times::Grid { start, step, first: 0 }, out));
+        Ok(())
     }
 
     fn tension<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {

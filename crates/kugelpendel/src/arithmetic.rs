@@ -145,11 +145,11 @@ pub(crate) const fn two_prod_split(a: f64, b: f64) -> (f64, f64) {
     (product, ((ah * bh - product) + ah * bl + al * bh) + al * bl)
 }
 
-/// A polynomial of a degree known to the compiler; coefficients beyond it are not looked at.
+/// A polynomial, its degree a constant at every call; coefficients beyond it are not looked at.
 #[inline(always)]
-pub(crate) fn horner<A: Arithmetic, const DEGREE: usize, const SIZE: usize>(coefficients: &[f64; SIZE], x: f64) -> f64 {
-    let mut value = coefficients[DEGREE];
-    let mut k = DEGREE;
+pub(crate) fn horner<A: Arithmetic, const SIZE: usize>(coefficients: &[f64; SIZE], degree: usize, x: f64) -> f64 {
+    let mut value = coefficients[degree];
+    let mut k = degree;
     while k > 0 {
         k -= 1;
         value = A::mul_add(value, x, coefficients[k]);

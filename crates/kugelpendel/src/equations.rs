@@ -38,7 +38,7 @@ impl<A: Arithmetic> Law<A> for Equation {
     /// does not, so where there is the depth, it shows the end.
     #[inline(always)]
     fn next_order<const K: usize>(&self, series: &mut Series, work: &mut Work) {
-        let Series { place, rate, guard } = series;
+        let Series { place, rate, guard, .. } = series;
         let Work { ratio, pull } = work;
         let one = if K == 0 { 1.0 } else { 0.0 };
         let radius_squared = square::<A, K>(place);

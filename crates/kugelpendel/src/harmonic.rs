@@ -51,14 +51,14 @@ impl<A: Arithmetic, const DEGREE: usize> Form<A> for Figure<DEGREE> {
     #[inline(always)]
     fn point<const RATES: bool>(&self, [c, s]: [f64; 2], direction: [f64; 2]) -> [f64; 3] {
         let square = s * s;
-        let plan = [c * horner::<A, DEGREE, _>(&self.inner, square), s * horner::<A, DEGREE, _>(&self.outer, square)];
+        let plan = [c * horner::<A, _>(&self.inner, DEGREE, square), s * horner::<A, _>(&self.outer, DEGREE, square)];
         let radius_squared = A::mul_add(plan[0], plan[0], plan[1] * plan[1]);
         let z = A::mul_add(self.length, self.length, -radius_squared).sqrt();
         if RATES {
             let (x, y) = (self.swing * s, self.swing * c);
             let rate = [
-                A::mul_add(x, horner::<A, DEGREE, _>(&self.inner_rate, square), -(self.frame * plan[1])),
-                A::mul_add(y, horner::<A, DEGREE, _>(&self.outer_rate, square), self.frame * plan[0]),
+                A::mul_add(x, horner::<A, _>(&self.inner_rate, DEGREE, square), -(self.frame * plan[1])),
+                A::mul_add(y, horner::<A, _>(&self.outer_rate, DEGREE, square), self.frame * plan[0]),
             ];
             let outward = A::mul_add(plan[0], rate[0], plan[1] * rate[1]);
             let [vx, vy] = product::<A>(direction, rate);

@@ -2,7 +2,7 @@
 
 use crate::arithmetic::{Arithmetic, dispatch};
 use crate::equations::Equation;
-use crate::events::first;
+use crate::events::{Guard, first};
 use crate::pendulum::Pendulum;
 use crate::taylor::{FINEST, Law, Point, Series};
 use crate::times::Quantity;
@@ -134,7 +134,7 @@ fn next_with<A: Arithmetic>(_: A, step: &mut Step) -> bool {
     let mut size = step.direction * series.reach(FINEST);
     // The motion itself goes on smoothly through the support's level, so a step may reach across it.
     if !series.guard_holds(size) {
-        let end = first(|since| series.guard_at::<A>(since), size, false);
+        let end = first::<A>(&Guard(series), size, false);
         step.last = end.is_some();
         size = end.unwrap_or(size);
     }

@@ -11,10 +11,11 @@
 //! Conventions: SI; the support at the origin, `z` down, so that the bob rests at (0, 0, l); azimuths, precession and
 //! angular momentum positive counter-clockwise seen from above.
 
-// Reading order. What is given: pendulum, launch (→ state). What follows from it: invariants (cubic, zeta; block for
-// many), exact (their names in SI), tension. How it moves: clock (phase), chart (trigonometric or hyperbolic, of
+// Reading order. What is given: pendulum, launch (→ state), forces. What follows from it: invariants (cubic, zeta; block
+// for many), exact (their names in SI), tension. How it moves: clock (phase), chart (trigonometric or hyperbolic, of
 // elliptic's arguments, both made of shape), spectrum. Many times and many motions: times, rotations, plan, series,
-// sampling, ensemble, blocks. The paper's approximations: harmonic; equations, taylor, integrated. Underneath: arithmetic, double_double, turns, invalid.
+// sampling, ensemble, blocks. The real pendulum: sphere (its equations), taylor, events, walk (step by step), real. The
+// paper's approximations: harmonic; equations, integrated. Underneath: arithmetic, double_double, turns, invalid.
 mod arithmetic;
 mod block;
 mod blocks;

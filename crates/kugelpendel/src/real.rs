@@ -1,8 +1,8 @@
 //! The motion of a real pendulum: the full equations, integrated.
 
-use crate::arithmetic::{Arithmetic, dispatch};
+use crate::arithmetic::{Arithmetic, Portable, dispatch};
 use crate::double_double::{Dd, Pair};
-use crate::events::{Event, crossings, radial};
+use crate::events::{Beside, Event, Guard, Outward, crossings};
 use crate::exact::ExactMotion;
 use crate::forces::{Drive, Forces, Thread};
 use crate::invalid::Invalid;
@@ -129,12 +129,12 @@ impl RealMotion {
         let walk = self.walk(walks, 0, self.dimensionless(start));
         let mut steps = 0;
         loop {
-            happen(walk, event, &mut |since| {
-                let time = self.seconds(walk, since);
-                if (start..=end).contains(&time) && found.len() < most {
-                    found.push(time);
-                }
-            });
+            // What ends before the start is passed over without a look.
+            if !walk.is_before(walk.since(self.dimensionless(start))) || walk.last {
+                let times = happen(walk, event).into_iter().map(|since| self.seconds(walk, since));
+                found.extend(times.filter(|time| (start..=end).contains(time)));
+                found.truncate(most);
+            }
             let done = walk.last || !walk.is_before(walk.since(self.dimensionless(end)));
             if done || found.len() == most {
                 return Ok(found);
@@ -248,55 +248,33 @@ fn guard_at_with<A: Arithmetic>(_: A, walk: &Walk, since: f64) -> f64 {
 }
 
 dispatch! {
-    /// Tells the times of an event since the start of the step, in order.
-    fn happen(walk: &Walk, event: Event, tell: &mut dyn FnMut(f64)) = happen_with
+    /// The times of an event since the start of the step, in order.
+    fn happen(walk: &Walk, event: Event) -> Vec<f64> = happen_with
 }
 
 #[inline(always)]
-fn happen_with<A: Arithmetic>(_: A, walk: &Walk, event: Event, tell: &mut dyn FnMut(f64)) {
+fn happen_with<A: Arithmetic>(_: A, walk: &Walk, event: Event) -> Vec<f64> {
     let Walk { series, size, .. } = walk;
-    let outward = |since: f64| radial(&series.at::<A>(since));
     match event {
-        Event::Outer | Event::Inner => crossings(outward, *size, event == Event::Inner, |time| {
-            tell(time);
-            false
-        }),
+        Event::Outer => crossings::<A>(&Outward(series), *size, false).times().to_vec(),
+        Event::Inner => crossings::<A>(&Outward(series), *size, true).times().to_vec(),
         Event::Azimuth(azimuth) => {
             let (sin, cos) = azimuth.sin_cos();
-            let towards = |since: f64| {
-                let Point { place: [x, y, _, _], .. } = series.at::<A>(since);
-                [x * cos + y * sin, y * cos - x * sin]
-            };
-            let mut times = Vec::new();
-            for upwards in [true, false] {
-                crossings(
-                    |since| towards(since)[1],
-                    *size,
-                    upwards,
-                    |time| {
-                        if towards(time)[0] > 0.0 {
-                            times.push(time);
-                        }
-                        false
-                    },
-                );
-            }
+            let beside = Beside(series, [cos, sin]);
+            let [up, down] = [true, false].map(|upwards| crossings::<A>(&beside, *size, upwards));
+            let mut times = [up.times(), down.times()].concat();
+            times.retain(|time| {
+                let [x, y, _, _] = series.place_at::<Portable>(*time);
+                x * cos + y * sin > 0.0
+            });
             times.sort_by(f64::total_cmp);
-            times.into_iter().for_each(tell);
+            times
         }
-        Event::Slack if walk.slackens() => tell(*size),
+        Event::Slack if walk.slackens() => vec![*size],
         Event::Slack if !walk.free && !series.guard_holds(*size) => {
-            crossings(
-                |since| series.guard_at::<A>(since),
-                *size,
-                false,
-                |time| {
-                    tell(time);
-                    false
-                },
-            );
+            crossings::<A>(&Guard(series), *size, false).times().to_vec()
         }
-        Event::Taut if walk.tautens() => tell(*size),
-        Event::Slack | Event::Taut => {}
+        Event::Taut if walk.tautens() => vec![*size],
+        Event::Slack | Event::Taut => Vec::new(),
     }
 }

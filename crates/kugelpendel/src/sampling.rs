@@ -87,7 +87,7 @@ impl Plan {
                 (chart.at(A::mul_add(rate, time.hi, start)), direction, rate, 0.0)
             }
             (Chart::Still([x, y, height]), _) => {
-                (Shape { x: *x, y: *y, height: *height, ..Shape::default() }, [1.0, 0.0], 0.0, 0.0)
+                (Shape { x: *x, y: *y, height: *height, unit: 1.0, ..Shape::default() }, [1.0, 0.0], 0.0, 0.0)
             }
             (chart, clock) => unreachable!("{clock:?} does not go with {chart:?}"),
         };

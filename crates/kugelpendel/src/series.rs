@@ -18,16 +18,18 @@ pub(crate) struct Scale {
     pub(crate) frame: f64,
 }
 
-/// The chart with its degree and form known to the compiler.
-struct Fixed<'a, const DEGREE: usize, const FROM_ABOVE: bool> {
+/// The chart with its degrees and form known to the compiler.
+struct Fixed<'a, const DEGREE: usize, const ALPHA: usize, const FROM_ABOVE: bool> {
     chart: &'a Trigonometric,
     scale: Scale,
 }
 
-impl<A: Arithmetic, const DEGREE: usize, const FROM_ABOVE: bool> Form<A> for Fixed<'_, DEGREE, FROM_ABOVE> {
+impl<A: Arithmetic, const DEGREE: usize, const ALPHA: usize, const FROM_ABOVE: bool> Form<A>
+    for Fixed<'_, DEGREE, ALPHA, FROM_ABOVE>
+{
     #[inline(always)]
     fn point<const RATES: bool>(&self, [cos, sin]: [f64; 2], direction: [f64; 2]) -> [f64; 3] {
-        let shape = self.chart.at::<A, DEGREE, FROM_ABOVE, RATES>(cos, sin);
+        let shape = self.chart.at::<A, DEGREE, ALPHA, FROM_ABOVE, RATES>(cos, sin);
         seen_from_outside::<A, RATES>(&shape, direction, self.scale)
     }
 }
@@ -47,21 +49,23 @@ pub(crate) fn series<A: Arithmetic>(
     let hands = Hands { swing: half(swings), frame, start: [0.5 * start.hi, plan.turn] };
     let table = plan.rotations.as_deref();
     macro_rules! fill {
-        ($($degree:literal)+) => {
-            match (chart.degree, chart.from_above) {
+        ($($degree:literal $alpha:literal,)+) => {
+            match (chart.degree, chart.alpha_degree, chart.from_above) {
                 $(
-                    ($degree, false) => {
-                        blocks::<A>(&Fixed::<$degree, false> { chart, scale }, &hands, table, quantity, times, out);
+                    ($degree, $alpha, false) => {
+                        let form = Fixed::<$degree, $alpha, false> { chart, scale };
+                        blocks::<A>(&form, &hands, table, quantity, times, out);
                     }
-                    ($degree, true) => {
-                        blocks::<A>(&Fixed::<$degree, true> { chart, scale }, &hands, table, quantity, times, out);
+                    ($degree, $alpha, true) => {
+                        let form = Fixed::<$degree, $alpha, true> { chart, scale };
+                        blocks::<A>(&form, &hands, table, quantity, times, out);
                     }
                 )+
-                degree => unreachable!("{degree:?} is not a degree from 1 to {MAX_DEGREE}"),
+                degree => unreachable!("{degree:?} is not a degree from 1 to {MAX_DEGREE} and α's"),
             }
         };
     }
-    fill!(1 2 3 4);
+    fill!(1 0, 1 1, 2 1, 2 2, 3 2, 3 3, 4 3, 4 4,);
 }
 
 /// From the turning frame to x, y and z, or to their rates.
@@ -75,10 +79,10 @@ pub(crate) fn seen_from_outside<A: Arithmetic, const RATES: bool>(
     let (plan, z) = if RATES {
         let x = A::mul_add(swing, shape.x_rate, -(frame * shape.y));
         let y = A::mul_add(swing, shape.y_rate, frame * shape.x);
-        ([x, y], -swing * shape.height_rate)
+        ([x, y], -shape.unit * (swing * shape.height_rate))
     } else {
-        ([shape.x, shape.y], length - shape.height)
+        ([shape.x, shape.y], A::mul_add(-shape.unit, shape.height, length))
     };
     let [x, y] = product::<A>(direction, plan);
-    [x, y, z]
+    [shape.unit * x, shape.unit * y, z]
 }

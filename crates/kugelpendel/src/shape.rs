@@ -3,7 +3,8 @@
 use crate::arithmetic::Arithmetic;
 use crate::invariants::Turning;
 
-/// x + iy and the height above the bottom, and their derivatives with respect to the chart's own variable; m.
+/// x + iy and the height above the bottom, and their derivatives with respect to the chart's own variable, in units of
+/// `unit` m: multiplied last, for it comes out of a division that all else need not wait for.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Shape {
     pub(crate) x: f64,
@@ -12,6 +13,7 @@ pub(crate) struct Shape {
     pub(crate) x_rate: f64,
     pub(crate) y_rate: f64,
     pub(crate) height_rate: f64,
+    pub(crate) unit: f64,
 }
 
 /// A complex number with its derivative: a theta function at one instant.
@@ -40,19 +42,17 @@ impl Shape {
         delta_rate: f64,
     ) -> Self {
         let inverse = 1.0 / delta;
-        let inverse_square = inverse * inverse;
         let [re, im] = product::<A>([alpha.re, alpha.im], [beta.re, beta.im]);
         let square = A::mul_add(alpha.re, alpha.re, alpha.im * alpha.im);
-        let mut shape =
-            Self { x: inverse_square * re, y: inverse_square * im, height: inverse_square * square, ..Self::default() };
+        let mut shape = Self { x: re, y: im, height: square, unit: inverse * inverse, ..Self::default() };
         if RATES {
             let log_rate = -2.0 * delta_rate * inverse;
             let first = product::<A>([alpha.re_rate, alpha.im_rate], [beta.re, beta.im]);
             let second = product::<A>([alpha.re, alpha.im], [beta.re_rate, beta.im_rate]);
             let inner = A::mul_add(alpha.re, alpha.re_rate, alpha.im * alpha.im_rate);
-            shape.x_rate = inverse_square * A::mul_add(re, log_rate, first[0] + second[0]);
-            shape.y_rate = inverse_square * A::mul_add(im, log_rate, first[1] + second[1]);
-            shape.height_rate = inverse_square * A::mul_add(square, log_rate, 2.0 * inner);
+            shape.x_rate = A::mul_add(re, log_rate, first[0] + second[0]);
+            shape.y_rate = A::mul_add(im, log_rate, first[1] + second[1]);
+            shape.height_rate = A::mul_add(square, log_rate, 2.0 * inner);
         }
         shape
     }

@@ -3,15 +3,32 @@
 //! Λ is not divided by r·r: every step starts on the sphere to the last bit, and none is long enough for what is off by
 //! an ulp to grow. Damping has no part in F·r, since v is at right angles to r.
 
-use crate::arithmetic::Arithmetic;
+use crate::arithmetic::{Arithmetic, horner};
+use crate::events::{Quickening, first};
 use crate::forces::Forces;
 use crate::taylor::{
-    Coefficients, Law, RECIPROCALS, Series, Vector, Vectors, dot, inner_terms, product, square, total,
+    Coefficients, Law, ORDER, RECIPROCALS, Series, Vector, Vectors, dot, inner_terms, product, square, total,
 };
 
 /// Speeds, in lω0, that quadratic drag does not tell from rest: |v| has no series at v = 0, √(v² + s²) has, and the
 /// difference of the two forces, below c·s²/2, is lost in rounding.
 const STILL: f64 = 1e-9;
+
+/// A slowest point that is no slower than this, against the step's start, is no turning point to quadratic drag.
+const SLOW: f64 = 0.1;
+
+/// Turning points so close to the step's start may lie within it: what drag does in so short a time, near rest, is lost in
+/// rounding too.
+const AT_ONCE: f64 = 1e-6;
+
+/// Where a step has to end for quadratic drag: where the bob is slowest. In a plane swing the series of |v| goes on
+/// through zero as that of v, below zero.
+#[inline(always)]
+pub(crate) fn turning_point<A: Arithmetic>(series: &Series, size: f64) -> Option<f64> {
+    let at = first::<A>(&Quickening(series, size.signum()), size, true)?;
+    let slowest = horner::<A, _>(&series.speed_squared, ORDER, at);
+    (at.abs() > AT_ONCE && slowest < SLOW * SLOW * series.speed_squared[0]).then_some(at)
+}
 
 /// The forces without dimensions, as matrices on r and v.
 #[derive(Clone, Copy, Debug)]
@@ -80,19 +97,19 @@ impl<A: Arithmetic, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool>
     #[inline(always)]
     fn next_order<const K: usize>(&self, series: &mut Series, work: &mut Work) {
         let Kind(law) = self;
-        let Series { place, rate, guard } = series;
+        let Series { place, rate, guard, speed_squared } = series;
         let mut force = rate[K].map(|v| -law.damping * v);
         if FORCED {
             work.sideways[K] = law.sideways::<A>(&place[K], &rate[K]);
             force = plus(force, work.sideways[K], 1.0);
         }
         if QUADRATIC {
-            let Work { squared, speed, .. } = work;
-            squared[K] = square::<A, K>(rate) + if K == 0 { STILL * STILL } else { 0.0 };
+            let speed = &mut work.speed;
+            speed_squared[K] = square::<A, K>(rate) + if K == 0 { STILL * STILL } else { 0.0 };
             speed[K] = if K == 0 {
-                squared[0].sqrt()
+                speed_squared[0].sqrt()
             } else {
-                (squared[K] - inner_terms::<A, K>(speed, speed)) / (2.0 * speed[0])
+                (speed_squared[K] - inner_terms::<A, K>(speed, speed)) / (2.0 * speed[0])
             };
             let drag = product::<A, K>(speed, rate);
             force = plus(force, drag, -law.quadratic);
@@ -102,7 +119,7 @@ impl<A: Arithmetic, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool>
         }
         if TAUT {
             // Λ_K, and with it the thread's part of the force.
-            let squared = if QUADRATIC { work.squared[K] } else { square::<A, K>(rate) };
+            let squared = if QUADRATIC { speed_squared[K] } else { square::<A, K>(rate) };
             let other = if FORCED { total(&dot::<A, K>(&work.sideways, place)) } else { 0.0 };
             guard[K] = squared + other + place[K][2];
             let pull = product::<A, K>(guard, place);
@@ -118,8 +135,7 @@ impl<A: Arithmetic, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool>
 #[derive(Default)]
 pub(crate) struct Work {
     sideways: Vectors,
-    /// v² and |v|.
-    squared: Coefficients,
+    /// |v|.
     speed: Coefficients,
 }
 

@@ -4,7 +4,7 @@
 //! −½ ln ε, and the step that for which the last two terms fall below ε. Series are kept with the three directions of
 //! space side by side, as one vector of the processor: a product of two series is then a few multiplications to a term.
 
-use crate::arithmetic::Arithmetic;
+use crate::arithmetic::{Arithmetic, horner};
 
 /// Of the last term.
 pub(crate) const ORDER: usize = 20;
@@ -46,6 +46,8 @@ pub(crate) struct Series {
     pub(crate) rate: Vectors,
     /// A function that reaches zero where the law ends.
     pub(crate) guard: Coefficients,
+    /// v², where the law needs it.
+    pub(crate) speed_squared: Coefficients,
 }
 
 /// r̈ as a function of r and ṙ, without dimensions: lengths in l, times in 1/ω0.
@@ -72,8 +74,12 @@ pub(crate) trait Law<A: Arithmetic> {
 }
 
 impl Series {
-    pub(crate) const ZERO: Self =
-        Self { place: [[0.0; 4]; ORDER + 1], rate: [[0.0; 4]; ORDER + 1], guard: [0.0; ORDER + 1] };
+    pub(crate) const ZERO: Self = Self {
+        place: [[0.0; 4]; ORDER + 1],
+        rate: [[0.0; 4]; ORDER + 1],
+        guard: [0.0; ORDER + 1],
+        speed_squared: [0.0; ORDER + 1],
+    };
 
     #[inline(always)]
     pub(crate) fn start(&mut self, point: &Point) {
@@ -92,10 +98,20 @@ impl Series {
         Point { place: A::array(place), rate: A::array(rate) }
     }
 
+    #[inline(always)]
+    pub(crate) fn place_at<A: Arithmetic>(&self, since: f64) -> Vector {
+        let time = A::same(since);
+        let mut place = A::lanes(&self.place[ORDER]);
+        for k in (0..ORDER).rev() {
+            place = A::mul_add_lanes(place, time, A::lanes(&self.place[k]));
+        }
+        A::array(place)
+    }
+
     /// The guard's value.
     #[inline(always)]
     pub(crate) fn guard_at<A: Arithmetic>(&self, since: f64) -> f64 {
-        self.guard.iter().rev().fold(0.0, |sum, c| A::mul_add(sum, since, *c))
+        horner::<A, _>(&self.guard, ORDER, since)
     }
 
     /// Whether the guard stays above zero, by a bound that costs less than looking for a zero.

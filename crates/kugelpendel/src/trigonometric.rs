@@ -17,6 +17,8 @@ type Polynomial = [f64; MAX_DEGREE + 1];
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Trigonometric {
     pub(crate) degree: usize,
+    /// Of α alone, whose terms fade faster: the same or one less.
+    pub(crate) alpha_degree: usize,
     /// β is the theta_2 form: odd harmonics, like α.
     pub(crate) from_above: bool,
     /// What the spectrum needs: q, q·e^{2η0}, and η2 (from above η1).
@@ -46,6 +48,8 @@ impl Trigonometric {
         let growth = if from_above { 1.0 } else { (2.0 * upper).exp() };
         let negligible = |n: usize| nome.powi((n * n) as i32) * growth.powi(n as i32) < 2e-17;
         let degree = (1..MAX_DEGREE).find(|degree| negligible(degree + 1)).unwrap_or(MAX_DEGREE);
+        let last = (2 * degree + 1) as f64 * nome.powi((degree * degree) as i32) * lower_reduced.powi(degree as i32);
+        let alpha_degree = if last < 2e-17 { degree - 1 } else { degree };
         let beta = if from_above {
             Series::odd(degree, nome, upper, upper_reduced, 1.0)
         } else {
@@ -53,9 +57,10 @@ impl Trigonometric {
         };
         let mut chart = Self {
             degree,
+            alpha_degree,
             from_above,
             poles: [nome, lower_reduced, upper],
-            alpha: Series::odd(degree, nome, lower, lower_reduced, -1.0),
+            alpha: Series::odd(alpha_degree, nome, lower, lower_reduced, -1.0),
             beta,
             delta: Series::even(degree, nome, 0.0, -1.0),
         };
@@ -69,33 +74,44 @@ impl Trigonometric {
         chart
     }
 
-    /// [`Self::at`] with the degree looked up: for single points.
+    /// [`Self::at`] with all terms: for single points.
     pub(crate) fn at_any<const RATES: bool>(&self, cos: f64, sin: f64) -> Shape {
         type Portable = crate::arithmetic::Portable;
         if self.from_above {
-            self.at::<Portable, MAX_DEGREE, true, RATES>(cos, sin)
+            self.at::<Portable, MAX_DEGREE, MAX_DEGREE, true, RATES>(cos, sin)
         } else {
-            self.at::<Portable, MAX_DEGREE, false, RATES>(cos, sin)
+            self.at::<Portable, MAX_DEGREE, MAX_DEGREE, false, RATES>(cos, sin)
         }
     }
 
     /// The point at ζ, given cos ζ and sin ζ.
     #[inline(always)]
-    pub(crate) fn at<A: Arithmetic, const DEGREE: usize, const FROM_ABOVE: bool, const RATES: bool>(
+    pub(crate) fn at<
+        A: Arithmetic,
+        const DEGREE: usize,
+        const ALPHA: usize,
+        const FROM_ABOVE: bool,
+        const RATES: bool,
+    >(
         &self,
         cos: f64,
         sin: f64,
     ) -> Shape {
         let square = sin * sin;
-        let alpha = self.alpha.at::<A, DEGREE, RATES>(square, [cos, sin]);
-        let beta = self.beta.at::<A, DEGREE, RATES>(square, if FROM_ABOVE { [cos, sin] } else { [1.0, sin * cos] });
-        let delta = horner::<A, DEGREE, _>(&self.delta.re, square);
-        let delta_rate = if RATES { sin * cos * horner::<A, DEGREE, _>(&self.delta.re_rate, square) } else { 0.0 };
+        let alpha = self.alpha.at::<A, RATES>([ALPHA; 2], square, [cos, sin]);
+        let beta = if FROM_ABOVE {
+            self.beta.at::<A, RATES>([DEGREE; 2], square, [cos, sin])
+        } else {
+            self.beta.at::<A, RATES>([DEGREE, DEGREE - 1], square, [1.0, sin * cos])
+        };
+        let delta = horner::<A, _>(&self.delta.re, DEGREE, square);
+        let delta_rate = if RATES { sin * cos * horner::<A, _>(&self.delta.re_rate, DEGREE - 1, square) } else { 0.0 };
         Shape::of::<A, RATES>(alpha, beta, delta, delta_rate)
     }
 }
 
-/// Polynomials in sin² ζ. Odd series: re, im go with cos ζ, sin ζ; even ones with 1, sin ζ cos ζ; the rates the other way.
+/// Polynomials in sin² ζ. Odd series: re, im go with cos ζ, sin ζ; even ones with 1, sin ζ cos ζ, which takes a degree
+/// from the polynomial; the rates the other way.
 #[derive(Clone, Copy, Debug)]
 struct Series {
     re: Polynomial,
@@ -106,15 +122,16 @@ struct Series {
 
 impl Series {
     #[inline(always)]
-    fn at<A: Arithmetic, const DEGREE: usize, const RATES: bool>(&self, square: f64, [c, s]: [f64; 2]) -> Factor {
+    fn at<A: Arithmetic, const RATES: bool>(&self, degrees: [usize; 2], square: f64, [c, s]: [f64; 2]) -> Factor {
+        let [re, im] = degrees;
         let mut factor = Factor {
-            re: c * horner::<A, DEGREE, _>(&self.re, square),
-            im: s * horner::<A, DEGREE, _>(&self.im, square),
+            re: c * horner::<A, _>(&self.re, re, square),
+            im: s * horner::<A, _>(&self.im, im, square),
             ..Factor::default()
         };
         if RATES {
-            factor.re_rate = s * horner::<A, DEGREE, _>(&self.re_rate, square);
-            factor.im_rate = c * horner::<A, DEGREE, _>(&self.im_rate, square);
+            factor.re_rate = s * horner::<A, _>(&self.re_rate, im, square);
+            factor.im_rate = c * horner::<A, _>(&self.im_rate, re, square);
         }
         factor
     }

@@ -2,10 +2,10 @@
 
 use crate::arithmetic::{Arithmetic, dispatch};
 use crate::double_double::{Dd, Pair};
-use crate::events::{first, radial};
+use crate::events::{Beyond, Guard, Outside, Outward, first};
 use crate::forces::{Drive, Thread};
 use crate::real::RealMotion;
-use crate::sphere::Kind;
+use crate::sphere::{Kind, turning_point};
 use crate::taylor::{Law, Point, Series};
 
 /// In 1/ω0. Longer ones are never worth their last terms, and an event could come and go within.
@@ -95,8 +95,15 @@ fn advance_with<A: Arithmetic>(_: A, motion: &RealMotion, walk: &mut Walk) {
         (_, true, false) => Law::<A>::continue_series(&Kind::<true, true, false>(law), series),
     };
     walk.size = walk.direction * walk.series.reach(motion.tolerance).min(LONGEST);
-    let taut = if walk.free { walk.becomes_taut::<A>() } else { walk.may_slacken::<A>(motion) };
-    let pushed = !taut && walk.is_pushed::<A>(motion);
+    if law.quadratic != 0.0 {
+        walk.size = turning_point::<A>(&walk.series, walk.size).unwrap_or(walk.size);
+    }
+    if walk.free {
+        walk.becomes_taut::<A>();
+    } else {
+        walk.may_slacken::<A>(motion);
+    }
+    let pushed = walk.is_pushed::<A>(motion);
     walk.next = walk.series.at::<A>(walk.size);
     if !walk.next_free {
         onto_sphere(&mut walk.next);
@@ -109,37 +116,29 @@ fn advance_with<A: Arithmetic>(_: A, motion: &RealMotion, walk: &mut Walk) {
 impl Walk {
     /// In flight: cuts the step where the bob comes back to the sphere.
     #[inline(always)]
-    fn becomes_taut<A: Arithmetic>(&mut self) -> bool {
-        let series = &self.series;
-        let outside = |since: f64| {
-            let Point { place: [x, y, z, _], .. } = series.at::<A>(since);
-            x * x + y * y + (z - 1.0) * (z + 1.0)
-        };
-        let Some(size) = first(outside, self.size, true) else { return false };
-        if size == 0.0 {
-            return false;
+    fn becomes_taut<A: Arithmetic>(&mut self) {
+        // It starts on the sphere, which is no return.
+        let back = first::<A>(&Outside(&self.series), self.size, true).filter(|back| *back != 0.0);
+        if let Some(size) = back {
+            self.size = size;
+            self.next_free = false;
         }
-        self.size = size;
-        self.next_free = false;
-        true
     }
 
     /// On the sphere: cuts the step where the thread's pull reaches zero.
     #[inline(always)]
-    fn may_slacken<A: Arithmetic>(&mut self, motion: &RealMotion) -> bool {
+    fn may_slacken<A: Arithmetic>(&mut self, motion: &RealMotion) {
         if motion.thread == Thread::Rod || self.series.guard_holds(self.size) {
-            return false;
+            return;
         }
-        let series = &self.series;
-        let already = series.guard[0] <= 0.0;
-        let root = if already { Some(0.0) } else { first(|since| series.guard_at::<A>(since), self.size, false) };
-        let Some(size) = root else { return false };
+        let already = self.series.guard[0] <= 0.0;
+        let root = if already { Some(0.0) } else { first::<A>(&Guard(&self.series), self.size, false) };
+        let Some(size) = root else { return };
         self.size = size;
         match motion.thread {
             Thread::Flies => self.next_free = true,
             _ => self.last = true,
         }
-        true
     }
 
     /// Cuts the step where the drive pushes.
@@ -151,29 +150,26 @@ impl Walk {
             Drive::Radius { radius, .. } => (0.0, Some(radius / motion.pendulum.length)),
         };
         let series = &self.series;
-        let outward = |since: f64| radial(&series.at::<A>(since));
         if self.armed && self.push_in.is_none() {
             self.push_in = match radius {
-                None => first(outward, self.size, true).map(|closest| closest + phase),
-                Some(radius) => {
-                    let beyond = |since: f64| {
-                        let Point { place: [x, y, _, _], .. } = series.at::<A>(since);
-                        x * x + y * y - radius * radius
-                    };
-                    first(beyond, self.size, true)
-                }
+                None => first::<A>(&Outward(series), self.size, true).map(|closest| closest + phase),
+                Some(radius) => first::<A>(&Beyond(series, radius), self.size, true),
             };
             self.armed = self.push_in.is_none();
         }
         let pushed = match self.push_in {
             Some(time) if time <= self.size => {
+                // What the thread would have done later it may not do now.
+                if time < self.size {
+                    (self.next_free, self.last) = (self.free, false);
+                }
                 self.size = time.max(0.0);
                 self.push_in = None;
                 true
             }
             _ => false,
         };
-        self.armed |= first(outward, self.size, false).is_some();
+        self.armed |= first::<A>(&Outward(&self.series), self.size, false).is_some();
         pushed
     }
 
@@ -191,7 +187,9 @@ impl Walk {
         };
         rate[0] += push * ux;
         rate[1] += push * uy;
-        onto_sphere(&mut self.next);
+        if !self.next_free {
+            onto_sphere(&mut self.next);
+        }
     }
 }
 

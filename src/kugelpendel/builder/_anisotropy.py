@@ -5,20 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-import numpy as np
-
 from ..parameters import Suspension
-from . import _measured
+from . import _half_turn, _measured
 from ._answer import AVERAGED, Answer, Check
 from ._case import Case
+from ._half_turn import HalfTurn
 
-_MOMENTS = 80
-"""Turning points that a check reads in half a turn."""
-
-_MOST_SWINGS = 40_000
-"""A half turn of more swings is not run."""
-
-_LAW = "ψ'² = ψ'0² + (3/16) ω0 δ (a/l)² (cos 2(ψ0−χ) − cos 2(ψ−χ))"
+_NARROW = 0.1
+"""Beyond this b/a the formulas for b ≪ a miss by tenths."""
 
 
 def anisotropy(case: Case) -> Iterator[Answer]:
@@ -28,63 +22,56 @@ def anisotropy(case: Case) -> Iterator[Answer]:
     earth, l, omega = abs(case.earth), case.length, case.omega  # noqa: E741
     most = 8 * (l * earth) ** 2 / (3 * omega * case.a**2)
     yield _answer("Anisotropy that may stall this swing", most, "rad/s", "8 l² Ω_z²/(3 ω0 a²)",
-                  "less than this is safe; of the angular frequencies")  # fmt: skip
+                  "less than this is safe; of the angular frequencies; for a start at b = 0, and "
+                  "as all of these formulas for b ≪ a")  # fmt: skip
     yield _answer("The same, of the periods", 2 * math.pi * most / omega**2, "s", "2π δ/ω0²")
     yield _answer("Damping anisotropy that stalls", 2 * earth, "1/s", "|Δγ| = 2 |Ω_z|",
-                  "of the decay rates; at any amplitude")  # fmt: skip
-    if case.suspension is None:
-        return
-    stiff, axis, damping, damping_axis = (float(value) for value in case.suspension.values)
+                  "of the decay rates; at any amplitude",
+                  _stalled(case) if case.checked else None)  # fmt: skip
+    stiff = 0.0 if case.suspension is None else float(case.suspension.anisotropy)
     if stiff:
         critical = l * earth * math.sqrt(8 / (3 * omega * abs(stiff)))
         yield _answer("Critical amplitude", critical, "m", "l |Ω_z| √(8/(3 ω0 |δ|))",
-                      "a smaller swing cannot stall by the anisotropy")  # fmt: skip
-        yield _answer("Ellipse that the anisotropy opens", case.a * abs(stiff) / (2 * earth), "m",
-                      "|δ| a/(2 |Ω_z|)", "largest |b| while the Earth turns the swing")  # fmt: skip
-        how = Suspension(stiff, axis)
-        yield from _extremes(case, "anisotropy", modulation(case, stiff, axis), _LAW, how)
-    if damping:
-        pair = (earth - abs(damping) / 2, earth + abs(damping) / 2)
-        law, how = "|Ω_z| ∓ |Δγ|/2", Suspension(0.0, 0.0, damping, damping_axis)
-        yield from _extremes(case, "damping", pair, law, how)
+                      "a smaller swing cannot stall by the anisotropy; checked by the slowest "
+                      "turning")  # fmt: skip
+    for turn in _half_turn.half_turns(case):
+        yield from _extremes(case, turn)
 
 
-def modulation(case: Case, stiff: float, axis: float) -> tuple[float, float]:
-    """Slowest and fastest rate by which the swing turns the Earth's way, rad/s; 0 for a stall.
-
-    From the first integral of the averaged equations for b ≪ a.
-    """
-    start = -case.earth + 3 / 8 * case.omega * case.a * case.b / case.length**2
-    size = 3 / 16 * case.omega * stiff * (case.a / case.length) ** 2
-    offset = start**2 + size * math.cos(2 * (case.azimuth - axis))
-    slow, fast = offset - abs(size), offset + abs(size)
-    return math.sqrt(max(slow, 0.0)), math.sqrt(max(fast, 0.0))
-
-
-def _extremes(
-    case: Case, cause: str, rates: tuple[float, float], law: str, alone: Suspension
-) -> Iterator[Answer]:
-    found = _run(case, alone) if case.checked else None
-    for k, name in enumerate(("Slowest", "Fastest")):
-        check = None
-        if found is not None:
-            how = f"RealMotion with the Earth and the {cause} alone, for {found[2]:.4g} s"
-            check = Check(rates[k], found[k], how)
-        note = "the Earth's way" if rates[k] > 0 else "it stalls, and may turn back"
-        yield _answer(f"{name} turning by the {cause}", rates[k], "rad/s", law, note, check)
+def _stalled(case: Case) -> Check:
+    """The critical damping anisotropy, with its axis where it turns against the Earth most."""
+    critical = 2 * case.earth
+    axis = case.azimuth - math.pi / 4
+    launch = case.launch(0.0, turning=True)
+    motion = case.run(launch, site=True, suspension=Suspension(0.0, 0.0, critical, axis))
+    rate = _measured.turning_rate(motion, case.swing)
+    # What is left of the turning needs so much more of it.
+    measured = abs(critical - 2 * rate)
+    return Check(abs(critical), measured, "RealMotion with the Earth and this damping: 10 swings")
 
 
-def _run(case: Case, alone: Suspension) -> tuple[float, float, float] | None:
-    """Slowest and fastest rate the Earth's way while the Earth makes half a turn, and how long."""
-    duration = math.pi / abs(case.earth)
-    if duration > _MOST_SWINGS * case.swing:
-        return None
-    # The bob is let go so that it has the given ellipse; a drive is thought to hold a.
-    motion = case.run(case.launch(case.b, turning=True), site=True, suspension=alone)
-    moments = np.linspace(0.0, duration, _MOMENTS)
-    times, azimuths = _measured.course(motion, case.swing, moments)
-    rates = -math.copysign(1.0, case.earth) * np.diff(azimuths) / np.diff(times)
-    return float(rates.min()), float(rates.max()), duration
+def _extremes(case: Case, turn: HalfTurn) -> Iterator[Answer]:
+    found = _half_turn.run(case, turn)
+    stiff = bool(turn.alone.anisotropy)
+    cause = "anisotropy" if stiff else "damping"
+    law = "−Ω_z ± Δγ/2"
+    if stiff:
+        law = "ψ'² = ψ'0² + (3/16) ω0 δ (a/l)² (cos 2(ψ0−χ) − cos 2(ψ−χ))"
+    how = f"RealMotion with the Earth and the {cause} alone, for {turn.duration:.4g} s"
+    slow = None if found is None else Check(turn.slowest, found.slowest, how, case.earth)
+    fast = None if found is None else Check(turn.fastest, found.fastest, how)
+    note = "" if not turn.stalls else "it turns back" if stiff else "it stalls"
+    yield _answer(f"Slowest turning by the {cause}", turn.slowest, "rad/s", law, note, slow)
+    yield _answer(f"Fastest turning by the {cause}", turn.fastest, "rad/s", law, "", fast)
+    if stiff:
+        gain = 3 / 8 * case.omega * case.a / case.length**2
+        opened = max(abs(case.earth + rate) for rate in (turn.slowest, turn.fastest)) / gain
+        check = None if found is None else Check(opened, found.widest, how)
+        note = "on either side"
+        if opened > _NARROW * case.a:
+            note = "not small beside a, as these formulas need: trust the run"
+        law = "largest |b| = |Ω_z + ψ'|·8l²/(3ω0 a)"
+        yield _answer("Ellipse that the anisotropy opens", opened, "m", law, note, check)
 
 
 def _answer(

@@ -16,11 +16,15 @@ class Check:
         case that was run.
     how
         What was run.
+    scale
+        What the difference is to be judged by, in the unit of the answer; None for what was
+        measured itself.
     """
 
     expected: float
     measured: float
     how: str
+    scale: float | None = None
 
     @property
     def difference(self) -> float:
@@ -29,8 +33,9 @@ class Check:
 
     @property
     def relative(self) -> float | None:
-        """The difference over what was measured; None where that is zero."""
-        return self.difference / self.measured if self.measured else None
+        """The difference over its scale; None where that is zero."""
+        scale = self.measured if self.scale is None else self.scale
+        return self.difference / abs(scale) if scale else None
 
 
 @dataclass(frozen=True)
@@ -73,3 +78,4 @@ NELSON = "R. A. Nelson and M. G. Olsson, Am. J. Phys. 54, 112 (1986)"
 FOUCAULT = "L. Foucault, C. R. Acad. Sci. Paris 32, 135 (1851)"
 AVERAGED = "averaged equations, docs/design.md"
 HOOKE = "Hooke's law"
+SCHUMACHER = "method: R. A. Schumacher and B. Tarbet, arXiv:0902.1829 (2009)"

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from ..motion import ExactMotion, RealMotion
@@ -18,6 +19,9 @@ from ..parameters import (
     Suspension,
     Wire,
 )
+
+_FINE, _COARSE = 1e-17, 1e-12
+"""Tolerances: the coarse one is for many swings whose phase nobody asks for."""
 
 
 @dataclass(frozen=True)
@@ -42,14 +46,15 @@ class Case:
     radius: float | None
     time: float | None
     checked: bool
+    worked: Callable[[], None] = field(default=lambda: None, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         _refuse_ensembles(self)
         _refuse_numbers(self)
-        given = self.site is not None and self.site.gravity_given
-        if given and float(self.site.gravity) != self.gravity:
+        site = self.site
+        if site is not None and site.gravity_given and float(site.gravity) != self.gravity:
             raise InvalidInput(
-                f"The site's gravity is {float(self.site.gravity):.9g} m/s², the pendulum's is "
+                f"The site's gravity is {float(site.gravity):.9g} m/s², the pendulum's is "
                 f"{self.gravity:.9g} m/s²; give the pendulum that of the site, or leave out the "
                 "site's."
             )
@@ -90,6 +95,17 @@ class Case:
         """Ω_z, rad/s; 0 without a site."""
         return 0.0 if self.site is None else float(self.site.vertical_rotation)
 
+    def ground(self, a: float) -> float:
+        """Speed across the swing that rest against the floor is, m/s, at a from the axis.
+
+        Ω_z a − (2/3)(a²/l) Ω_h sin(azimuth): the second is what the Coriolis force on the bob's
+        fall and rise leaves of it, docs/design.md.
+        """
+        if self.site is None:
+            return 0.0
+        level = float(self.site.horizontal_rotation) * math.sin(self.azimuth)
+        return self.earth * a - 2 / 3 * a**2 / self.length * level
+
     @property
     def linear(self) -> float:
         """γ, 1/s."""
@@ -109,11 +125,11 @@ class Case:
     def launch(self, b: float, *, turning: bool, a: float | None = None) -> Launch:
         """From the outer turning point, so that the ellipse is a by b where nothing turns.
 
-        Where the Earth turns below (turning), the bob's own speed is less than that by Ω_z a.
+        Where the Earth turns below (turning), the speed against the floor is less by `ground`.
         """
         out = self.a if a is None else a
         apsides = ExactMotion(self.effective, Launch.apsides(out, b))
-        sideways = float(apsides.velocity(0.0)[1]) - (self.earth * out if turning else 0.0)
+        sideways = float(apsides.velocity(0.0)[1]) - (self.ground(out) if turning else 0.0)
         return self.pushed(out, sideways)
 
     def pushed(self, a: float, sideways: float) -> Launch:
@@ -129,6 +145,7 @@ class Case:
         drag: bool | Drag = False,
         suspension: bool | Suspension = False,
         drive: Drive | None = None,
+        fine: bool = True,
     ) -> RealMotion:
         """The full equations with the bob, and with what is named of the rest."""
         return RealMotion(
@@ -141,6 +158,7 @@ class Case:
             else suspension,
             bob=self.bob,
             drive=drive,
+            tolerance=_FINE if fine else _COARSE,
         )
 
 

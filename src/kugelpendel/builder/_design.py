@@ -5,11 +5,22 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from ..parameters import Bob, Drag, Drive, InvalidInput, Pendulum, Site, Suspension, Wire
+from ..parameters import (
+    Bob,
+    Drag,
+    Drive,
+    InvalidInput,
+    Pendulum,
+    Site,
+    Suspension,
+    Wire,
+    as_numbers,
+)
 from ._anisotropy import anisotropy
 from ._answer import Answer
 from ._case import Case
 from ._decay import amplitude_after, decay
+from ._half_turn import MOMENTS, half_turns, is_run
 from ._hanging import hanging
 from ._passage import passage
 from ._period import period
@@ -97,7 +108,7 @@ def design(
     checked
         Whether `RealMotion` is run beside the formulas.
     done
-        Told after each group of questions how many of how many are answered.
+        Told, now and then, how many of how many steps are done.
 
     Returns
     -------
@@ -114,18 +125,36 @@ def design(
     -----
     Formulas for b ≪ a ≪ l are first orders; the check beside each says how good they are here.
     """
-    numbers = {"a": (a, "m"), "b": (b, "m"), "azimuth": (azimuth, "rad"), "share": (share, "1"),
-               "after": (after, "s"), "radius": (radius, "m"), "time": (time, "s")}  # fmt: skip
-    for name, (value, unit) in numbers.items():
-        if value is not None and not isinstance(value, (int, float)):
-            raise InvalidInput(f"{name} must be one number in {unit}, but it is {value!r}.")
-    case = Case(
-        pendulum, float(a), float(b), float(azimuth), site, drag, suspension, bob, drive, wire,
-        float(share), float(after), radius, time, checked,
+    numbers = (
+        _one(a, "The amplitude a", "m"), _one(b, "b", "m"), _one(azimuth, "The azimuth", "rad"),
     )  # fmt: skip
-    answers: list[Answer] = []
-    for k, question in enumerate(_QUESTIONS):
-        answers.extend(question(case))
+    asked = (
+        _one(share, "The share of the Foucault rate", "1"), _one(after, "The time after", "s"),
+        None if radius is None else _one(radius, "The radius to pass", "m"),
+        None if time is None else _one(time, "The time after the closest approach", "s"),
+    )  # fmt: skip
+    steps, taken = 0, 0
+
+    def worked() -> None:
+        nonlocal taken
+        taken += 1
         if done is not None:
-            done(k + 1, len(_QUESTIONS))
+            done(taken, steps)
+
+    case = Case(
+        pendulum, *numbers, site, drag, suspension, bob, drive, wire, *asked, checked, worked
+    )  # fmt: skip
+    runs = sum(is_run(case, turn) for turn in half_turns(case))
+    steps = len(_QUESTIONS) + MOMENTS * runs
+    answers: list[Answer] = []
+    for question in _QUESTIONS:
+        answers.extend(question(case))
+        worked()
     return Design(case, tuple(answers))
+
+
+def _one(value: float, name: str, unit: str) -> float:
+    number = as_numbers(value, name, unit)
+    if not isinstance(number, float):
+        raise InvalidInput(f"{name} must be one number in {unit}, but it is {value!r}.")
+    return number

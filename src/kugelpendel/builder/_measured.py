@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -46,7 +47,38 @@ def amplitude(motion: RealMotion, at: float, swing: float) -> tuple[float, float
     return time, math.hypot(x, y)
 
 
-def course(motion: RealMotion, swing: float, moments: Iterable[float]) -> tuple[Numbers, Numbers]:
-    """Times and azimuths, rad, continuous, of the outer turning points next after some moments."""
-    times = np.array([motion.next_event("outer", after=t, within=2 * swing) for t in moments])
-    return times, turned(motion.position(times)[:, :2])
+@dataclass(frozen=True)
+class Course:
+    """How a motion goes on for long, at turning points next after some moments.
+
+    Attributes
+    ----------
+    times, azimuths
+        s, and rad, continuous, of outer ones.
+    inner
+        m, radii of the inner ones after them.
+    """
+
+    times: Numbers
+    azimuths: Numbers
+    inner: Numbers
+
+    @classmethod
+    def of(
+        cls, motion: RealMotion, swing: float, moments: Iterable[float], worked: Callable[[], None]
+    ) -> Course:
+        """Walk through the motion; `worked` is told after each moment."""
+        times: list[float] = []
+        inner: list[float] = []
+        for moment in moments:
+            outer = motion.next_event("outer", after=moment, within=2 * swing)
+            times.append(outer)
+            inner.append(motion.next_event("inner", after=outer, within=2 * swing))
+            worked()
+        radii = np.hypot(*motion.position(inner)[:, :2].T)
+        return cls(np.array(times), turned(motion.position(times)[:, :2]), radii)
+
+    @property
+    def rates(self) -> Numbers:
+        """Means between two of them, rad/s, counter-clockwise seen from above."""
+        return np.diff(self.azimuths) / np.diff(self.times)

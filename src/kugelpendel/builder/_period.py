@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from ..motion import ExactMotion
 from ..parameters import Launch
 from . import _measured
-from ._answer import CLOSED_FORM, NELSON, Answer, Check
+from ._answer import AVERAGED, CLOSED_FORM, NELSON, Answer, Check
 from ._case import Case
 
 _STANDARD = 9.80665  # m/s², of the tables
@@ -37,10 +37,9 @@ def period(case: Case) -> Iterator[Answer]:
     for name, value, formula, source, note in corrections:
         yield answer(name, value, formula, source, note)
     total = case.swing * math.prod(1 + value for _, value, *_ in _surroundings(case))
-    yield Answer(
-        "period", "Period of the swing", total, "s", "T0 with all of these", f"{NELSON}, "
-        f"{CLOSED_FORM}", check=_check(case, total) if case.checked else None,
-    )  # fmt: skip
+    check = _check(case, total) if case.checked else None
+    yield Answer("period", "Period of the swing", total, "s", "T0 with all of these",
+                 f"{NELSON}; {CLOSED_FORM}", check=check)  # fmt: skip
     yield from _of_the_site(case, answer)
 
 
@@ -74,12 +73,12 @@ def _surroundings(case: Case) -> Iterator[_Correction]:
     if case.earth:
         value = 1 / math.sqrt(1 + (case.earth / case.omega) ** 2) - 1
         formula = "1/√(1 + (Ω_z/ω0)²) − 1"
-        yield "Turning of the Earth", value, formula, "small swings in a turning frame", ""
+        yield "Turning of the Earth", value, formula, AVERAGED, ""
     if case.suspension is not None and float(case.suspension.anisotropy):
         delta, axis = float(case.suspension.anisotropy), float(case.suspension.axis)
         value = -delta / case.omega * math.cos(case.azimuth - axis) ** 2
         formula = "−(δ/ω0) cos²(ψ − χ)"
-        yield "Suspension", value, formula, "averaged equations, docs/design.md", "at the start"
+        yield "Suspension", value, formula, AVERAGED, "at the start"
 
 
 def _check(case: Case, expected: float) -> Check:
@@ -93,7 +92,7 @@ def _check(case: Case, expected: float) -> Check:
 def _of_the_site(case: Case, answer: Callable[..., Answer]) -> Iterator[Answer]:
     against = math.sqrt(_STANDARD / case.gravity) - 1
     formula = "√(9.80665 m/s²/g) − 1"
-    note = "in T0 already: what a table for 9.80665 m/s² would miss"
+    note = "in T0 already"
     yield answer("Gravity, against the standard", against, formula, NELSON, note)
     if case.site is not None and not case.site.gravity_given:
         normal = float(case.site.gravity)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from ..parameters import Drag, Drive
 from . import _measured
-from ._answer import AVERAGED, Answer, Check
+from ._answer import AVERAGED, SCHUMACHER, Answer, Check
 from ._case import Case
 
 _SWINGS = 10  # over which the runs take a mean
@@ -79,9 +79,10 @@ def timing(case: Case) -> Iterator[Answer]:
     if not case.decay:
         return
     best = best_push(case, case.b or _NARROW * case.a)
-    yield _answer("Phase of the best push", best.phase, "rad", "tan 2φ = 8l²/(3Qa²), Q = ω0/2(γ + "
-                  "ka)", "after the closest approach; it cancels the intrinsic "
-                  "precession")  # fmt: skip
+    law = "tan 2φ = 8l²/(3Qa²), Q = ω0/2(γ + ka)"
+    note = "after the closest approach; it cancels the intrinsic precession"
+    source = f"{AVERAGED}; {SCHUMACHER}"
+    yield Answer("drive", "Phase of the best push", best.phase, "rad", law, source, note)
     yield _answer("Time of the best push", best.phase / case.omega, "s", "φ/ω0",
                   "after the closest approach")  # fmt: skip
     yield _answer("Radius of the best push", case.a * math.sin(best.phase), "m", "a sin φ",
@@ -95,6 +96,8 @@ def timing(case: Case) -> Iterator[Answer]:
                   "inwards in every half swing")  # fmt: skip
     off = min(_OFFSET, best.phase / 2, (math.pi / 2 - best.phase) / 2)
     yield from _tried("the best push", best)
+    yield from _tried("the best pull", replace(best, size=-holding(case, pull),
+                                               phase=math.pi - pull))  # fmt: skip
     for name, push in (
         ("a push too early", replace(best, phase=best.phase - off)),
         ("a push too late", replace(best, phase=best.phase + off)),
@@ -131,22 +134,19 @@ def _tried(name: str, push: Push) -> Iterator[Answer]:
                                                (_SWINGS + 0.75) * case.swing)  # fmt: skip
         how = f"RealMotion with the drag as linear and this push: {_SWINGS} swings"
         span = float(times[-1] - times[0])
-        turning = Check(rate, float(_measured.turned(points)[-1]) / span, how)
+        turning = Check(rate, float(_measured.turned(points)[-1]) / span, how, intrinsic)
         first, last = (math.hypot(*points[k]) for k in (0, -1))
-        growing = Check(growth, math.log(last / first) / span, how)
-    note = f"{where}; no push: {intrinsic:.3g} rad/s"
+        growing = Check(growth, math.log(last / first) / span, how, case.decay)
+    note = f"φ = {where}; without a push {math.degrees(intrinsic) * 3600:.4g} °/h"
     formula = "(3/8) ω0 ab/l² − (p/πρ) ab/(a²−b²) cos 2φ"
     yield _answer(f"Turning under {name}", rate, "rad/s", formula, note, turning)
+    formula = "p sin 2φ/(2πρ) − γ − ka, ρ² = a² sin²φ + b² cos²φ"
+    yield _answer(f"Growth under {name}", growth, "1/s", formula, "of the amplitude", growing)
     end = push.final_amplitude
-    note = f"goes to {end:.4g} m" if end else "the push takes energy away"
-    yield _answer(
-        f"Growth under {name}",
-        growth,
-        "1/s",
-        "p sin 2φ/(2πρ) − γ − ka, ρ² = a² sin²φ + b² cos²φ",
-        note,
-        growing,
-    )
+    note = "the push takes energy away" if end == 0 else ""
+    if end >= case.length:
+        note = "beyond the length: it goes over the top, or breaks"
+    yield _answer(f"Amplitude under {name}", end, "m", "γa + ka² = p cos φ/π", note)
 
 
 def _answer(

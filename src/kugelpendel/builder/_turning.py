@@ -12,6 +12,7 @@ from ._answer import AVERAGED, CLOSED_FORM, FOUCAULT, OLSSON, Answer, Check
 from ._case import Case
 
 _DAY = 86400.0  # s
+_GROUND = "aΩ_z − (2/3)(a²/l) Ω_h sin ψ0"
 _SWINGS = 10  # over which the checks take a mean
 
 
@@ -22,8 +23,8 @@ def foucault(case: Case) -> Iterator[Answer]:
     rate = -case.earth
     check = None
     if case.checked:
-        start = case.pushed(case.a, -case.earth * case.a)
-        how = f"RealMotion with the Earth alone, pushed sideways with −aΩ_z: {_SWINGS} swings"
+        start = case.pushed(case.a, -case.ground(case.a))
+        how = f"RealMotion with the Earth alone, pushed so that no ellipse opens: {_SWINGS} swings"
         check = Check(rate, _rate(case, start), how)
     yield Answer(
         "turning", "Foucault rate", rate, "rad/s", "−Ω_E sin(latitude), Ω_E = 7.292115e-5 rad/s",
@@ -74,12 +75,12 @@ def _widest(case: Case) -> Iterator[Answer]:
         f"{OLSSON}(25)", note, check,
     )  # fmt: skip
     speed = share * case.omega
-    source = f"{OLSSON}(16); seen from the turning Earth"
+    source = f"{OLSSON}(16); {AVERAGED}"
     for name, b in (("least", -speed), ("most", speed)):
         yield Answer(
-            "turning", f"Sideways speed at release, {name}", b - case.earth * case.a, "m/s",
-            f"{'−' if b < 0 else '+'}bω0 − aΩ_z, with that b", source,
-            "counter-clockwise; against the floor",
+            "turning", f"Sideways speed for {percent}, {name}", b - case.ground(case.a), "m/s",
+            f"{'−' if b < 0 else '+'}bω0 − {_GROUND}, with that b", source,
+            "against the floor; counter-clockwise",
         )  # fmt: skip
 
 
@@ -87,41 +88,65 @@ def release(case: Case) -> Iterator[Answer]:
     """Let go at rest against the floor, as with a burnt thread."""
     if not case.earth:
         return
-    b = case.a * case.earth / case.omega
+    b = case.ground(case.a) / case.omega
+    check = None
+    if case.checked:
+        motion = case.run(case.pushed(case.a, 0.0), site=True)
+        x, y, _ = motion.position(motion.next_event("inner", within=case.swing))
+        # Distances have no sign, but the ellipse has the Earth's sense.
+        radius = math.copysign(math.hypot(x, y), case.earth)
+        check = Check(b, radius, "RealMotion with the Earth alone: first closest approach")
     yield Answer(
-        "turning", "Ellipse of a release from rest", b, "m", "b = aΩ_z/ω0", AVERAGED,
-        "seen from a frame that does not turn, where the floor gives the bob the speed aΩ_z",
+        "turning", "Ellipse of a release from rest", b, "m", f"b = ({_GROUND})/ω0", AVERAGED,
+        "seen from a frame that does not turn, where the floor moves",
+        check,
     )  # fmt: skip
-    rate = -case.earth * (1 - 3 * case.a**2 / (8 * case.length**2))
+    gain = 3 / 8 * case.a * case.ground(case.a) / case.length**2
+    rate = gain - case.earth
     check = None
     if case.checked:
         how = f"RealMotion with the Earth alone, at rest at the start: {_SWINGS} swings"
         check = Check(rate, _rate(case, case.pushed(case.a, 0.0)), how)
+    law = "−Ω_z (1 − 3a²/8l²) − (1/4)(a/l)³ Ω_h sin ψ0"
+    note = "to first orders in a/l"
     yield Answer(
-        "turning", "Rate after a release from rest", rate, "rad/s", "−Ω_z (1 − 3a²/8l²)", AVERAGED,
-        "to first order in a²/l²", check,
-    )  # fmt: skip
-    yield Answer("turning", "Sideways speed for no ellipse", -case.earth * case.a, "m/s", "−aΩ_z",
-                 "seen from a frame that does not turn", "against the floor")  # fmt: skip
+        "turning", "Rate after a release from rest", rate, "rad/s", law, AVERAGED, note, check
+    )
+    law, note = f"−({_GROUND})", "against the floor; counter-clockwise"
+    speed = -case.ground(case.a)
+    yield Answer("turning", "Sideways speed for no ellipse", speed, "m/s", law, AVERAGED, note)
 
 
 def total(case: Case) -> Iterator[Answer]:
     """All causes at once, at the start."""
     parts = shares(case)
+    for name, rate in parts.items():
+        yield Answer("turning", f"Share of the {name}", rate, "rad/s", _SHARES[name], _LAWS[name],
+                     "at the start")  # fmt: skip
     value = sum(parts.values())
     check = None
     if case.checked:
-        motion = case.run(
-            case.launch(case.b, turning=True), site=True, drag=True, suspension=True
-        )  # fmt: skip
+        motion = case.run(case.launch(case.b, turning=True), site=True, drag=True, suspension=True)
         # Short, for the causes change with a, b and the azimuth.
         how = "RealMotion with all that is given but the drive: the first 3 swings"
         check = Check(value, _measured.turning_rate(motion, case.swing, 3), how)
-    spoken = ", ".join(f"{name} {rate:+.3g}" for name, rate in parts.items())
-    yield Answer(
-        "turning", "Rate at the start", value, "rad/s", "−Ω_z + Ω(a, b) − δ ab/(a²−b²) cos 2(ψ−χ) "
-        "+ (Δγ/2)(a²+b²)/(a²−b²) sin 2(ψ−χd)", f"{CLOSED_FORM}; {AVERAGED}", spoken, check,
-    )  # fmt: skip
+    yield Answer("turning", "Rate at the start", value, "rad/s", "the sum of the shares", AVERAGED,
+                 check=check)  # fmt: skip
+
+
+_SHARES = {
+    "Earth": "−Ω_z",
+    "ellipse": "(ΔΦ − π)/T for the turning radii a and b",
+    "anisotropy": "−δ ab/(a²−b²) cos 2(ψ−χ)",
+    "damping": "(Δγ/2)(a²+b²)/(a²−b²) sin 2(ψ−χd)",
+}
+
+_LAWS = {
+    "Earth": FOUCAULT,
+    "ellipse": CLOSED_FORM,
+    "anisotropy": AVERAGED,
+    "damping": AVERAGED,
+}
 
 
 def shares(case: Case) -> dict[str, float]:

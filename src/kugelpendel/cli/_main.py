@@ -17,7 +17,8 @@ _BAD_INPUT = 2
 _INTERRUPTED = 130
 
 _EPILOG = """\
-A job file looks like this; quantities have a unit or are plain SI numbers:
+A job file looks like this; quantities have a unit or are plain SI numbers. For a real pendulum
+there are [site], [drag], [suspension], [bob] and [drive] too: see examples/pantheon-day.toml.
 
   [pendulum]
   length = "67 m"
@@ -31,6 +32,44 @@ A job file looks like this; quantities have a unit or are plain SI numbers:
   [output]
   duration = "1 h"
   step = "0.1 s"        # or samples = 36001
+"""
+
+_DESIGN_EPILOG = """\
+A file looks like this; all tables but the first two may be left out:
+
+  [pendulum]
+  length = "20 m"
+  mass = "60 kg"
+
+  [swing]
+  a = "1 m"
+  b = "5 mm"
+
+  [site]
+  latitude = "50 deg"
+
+  [drag]
+  half_life = "3 h"     # or linear, quality, from_bob; quadratic
+
+  [suspension]
+  anisotropy = "1e-6 rad/s"   # or period_along, period_across; axis
+
+  [bob]
+  diameter = "24 cm"
+  density = "7860 kg/m^3"
+
+  [drive]
+  push = "1 mm/s"
+  radius = "10 cm"      # or phase
+
+  [wire]
+  diameter = "1.5 mm"
+
+  [questions]
+  share = 0.01          # of the Foucault rate
+  after = "1 h"
+  radius = "20 cm"
+  time = "0.5 s"
 """
 
 _DERIVE: dict[str, Any] = {
@@ -86,8 +125,9 @@ def _run(given: argparse.Namespace) -> int:
         return _refuse(str(error))
     except ImportError as missing:
         return _refuse(_not_installed(missing, given.command))
-    except KeyboardInterrupt:
-        print("kugelpendel: interrupted; no file is left half-written.", file=sys.stderr)
+    except KeyboardInterrupt as interruption:
+        kept = str(interruption) or "interrupted; no file is left half-written."
+        print(f"kugelpendel: {kept}", file=sys.stderr)
         return _INTERRUPTED
     except BrokenPipeError:
         # The reader of a pipe, such as `head`, has had enough; all files are written by now.
@@ -116,6 +156,13 @@ def _do_validity(given: argparse.Namespace) -> int:
     return 0
 
 
+def _do_design(given: argparse.Namespace) -> int:
+    from kugelpendel.cli._design import design
+
+    design(given.file, given.out, given.json, not given.formulas)
+    return 0
+
+
 def _do_derive(given: argparse.Namespace) -> int:
     from kugelpendel.cli._derive import derive, list_misprints, refuse_mixture
 
@@ -135,6 +182,7 @@ _COMMANDS = {
     "run": _do_run,
     "compare": _do_compare,
     "validity": _do_validity,
+    "design": _do_design,
     "derive": _do_derive,
 }
 
@@ -196,6 +244,19 @@ def _parser() -> argparse.ArgumentParser:
     )
     validity.add_argument(
         "--out", type=Path, metavar="FILE.png", help="draw the map; .svg and .pdf do as well"
+    )
+    design = commands.add_parser(
+        "design",
+        help="answer what the builder of a pendulum asks",
+        description="Print period, turning, decay, suspension, drive, passage and wire of a "
+        "pendulum, each by its formula and by the full equations, and write a figure and the "
+        "results.",
+        epilog=_DESIGN_EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    _takes_a_job(design)
+    design.add_argument(
+        "--formulas", action="store_true", help="leave out the checks by the full equations"
     )
     _add_derive(commands.add_parser("derive", help="show or check why it is true", **_DERIVE))
     return parser

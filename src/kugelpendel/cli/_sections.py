@@ -81,7 +81,7 @@ def read_setup(tables: Mapping[str, Table]) -> Setup:
     bob = _bob(tables["bob"]) if "bob" in tables else None
     pendulum = _pendulum(tables["pendulum"], site, bob)
     if bob is not None:
-        with _named(tables["bob"]):
+        with named(tables["bob"]):
             bob.gravity_factor(pendulum.length)
     return Setup(
         pendulum=pendulum,
@@ -114,10 +114,10 @@ def _site(table: Table) -> kp.Site:
             f"{table.where('latitude')} = {seen} lies beyond a pole; write a latitude from "
             '"-90 deg" to "90 deg", such as "48.85 deg", positive in the north.'
         )
-    with _named(table):
+    with named(table):
         return kp.Site(
             latitude=latitude,
-            gravity=_given(table, "gravity", ACCELERATION),
+            gravity=given(table, "gravity", ACCELERATION),
             height=table.quantity("height", LENGTH, default=0.0),
         )
 
@@ -130,10 +130,10 @@ def _drag(table: Table, pendulum: kp.Pendulum, bob: kp.Bob | None) -> kp.Drag:
         return _drag_from_bob(table, pendulum, bob)
     if "thread_diameter" in table.entries:
         raise kp.InvalidInput(f"{table.where('thread_diameter')} goes with from_bob = true only.")
-    with _named(table):
+    with named(table):
         match way:
             case "quality":
-                drag = kp.Drag.from_quality(_plain(table, "quality", 800), pendulum)
+                drag = kp.Drag.from_quality(plain_number(table, "quality", 800), pendulum)
             case "half_life":
                 drag = kp.Drag.from_half_life(table.quantity("half_life", TIME))
             case _:
@@ -151,7 +151,7 @@ def _drag_from_bob(table: Table, pendulum: kp.Pendulum, bob: kp.Bob | None) -> k
             f"{table.where('quadratic')} does not go with from_bob = true, which says both the "
             "linear and the quadratic drag; leave one of them out."
         )
-    with _named(table):
+    with named(table):
         diameter = table.quantity("thread_diameter", LENGTH, default=0.0)
         return kp.Drag.from_bob(bob, pendulum, thread_diameter=diameter)
 
@@ -162,7 +162,7 @@ def _suspension(table: Table) -> kp.Suspension:
     axis = table.quantity("axis", ANGLE, default=0.0)
     damping = table.quantity("damping_anisotropy", DECAY, default=0.0)
     damping_axis = table.quantity("damping_axis", ANGLE, default=0.0)
-    with _named(table):
+    with named(table):
         if _one_of(table, ("anisotropy", "period_along", "period_across"), periods) in periods:
             along, across = (table.quantity(key, TIME) for key in periods)
             return kp.Suspension.from_periods(along, across, axis, damping, damping_axis)
@@ -176,7 +176,7 @@ def _bob(table: Table) -> kp.Bob:
         radius = table.quantity("diameter", LENGTH) / 2
     else:
         radius = table.quantity("radius", LENGTH)
-    with _named(table):
+    with named(table):
         return kp.Bob(
             radius=radius,
             density=table.quantity("density", DENSITY),
@@ -187,19 +187,20 @@ def _bob(table: Table) -> kp.Bob:
 
 def _drive(table: Table) -> kp.Drive:
     table.allow(("push", "phase", "radius"))
-    with _named(table):
+    with named(table):
         return kp.Drive(
             push=table.quantity("push", SPEED),
-            phase=_given(table, "phase", ANGLE),
-            radius=_given(table, "radius", LENGTH),
+            phase=given(table, "phase", ANGLE),
+            radius=given(table, "radius", LENGTH),
         )
 
 
-def _given(table: Table, key: str, kind: Kind) -> float | None:
+def given(table: Table, key: str, kind: Kind) -> float | None:
+    """A number in the SI unit of its kind, or None where the file has none."""
     return table.quantity(key, kind) if key in table.entries else None
 
 
-def _plain(table: Table, key: str, example: float) -> float:
+def plain_number(table: Table, key: str, example: float) -> float:
     """A number without a unit."""
     value = table.entries[key]
     if not isinstance(value, (int, float)) or isinstance(value, bool):
@@ -221,7 +222,7 @@ def _one_of(table: Table, keys: tuple[str, ...], together: tuple[str, ...] = ())
 
 
 @contextmanager
-def _named(table: Table) -> Generator[None]:
+def named(table: Table) -> Generator[None]:
     """Name the table in what the parameter itself refuses."""
     try:
         yield

@@ -18,12 +18,12 @@ from ..parameters import (
     Launch,
     Numbers,
     Pendulum,
-    Scalars,
     Site,
     Suspension,
 )
 from ._pumping import refuse_pumping
 from ._real import RealMotion
+from ._surrounded import Surrounded
 from ._surroundings import Surroundings
 from ._times import checked_grid, checked_times
 
@@ -86,7 +86,7 @@ class TurningRates:
         return self.earth + self.intrinsic + self.anisotropy + self.damping + self.drive
 
 
-class EnvelopeMotion:
+class EnvelopeMotion(Surrounded):
     """A real pendulum, averaged over its swings: an ellipse that turns, shrinks and widens.
 
     What `RealMotion` integrates swing by swing goes in some dozens of steps here, over days. Arrays
@@ -156,59 +156,9 @@ class EnvelopeMotion:
         return (_again, (self._around, self._exact))
 
     @property
-    def pendulum(self) -> Pendulum:
-        """What swings, as given."""
-        return self._around.pendulum
-
-    @property
-    def launch(self) -> Launch:
-        """Position and velocity at t = 0, as given."""
-        return self._around.launch
-
-    @property
-    def site(self) -> Site | None:
-        """Where it hangs; None for a ground that does not turn."""
-        return self._around.site
-
-    @property
-    def drag(self) -> Drag | None:
-        """Of the air; None for a vacuum."""
-        return self._around.drag
-
-    @property
-    def suspension(self) -> Suspension | None:
-        """None for a perfect one."""
-        return self._around.suspension
-
-    @property
-    def bob(self) -> Bob | None:
-        """None for a point mass."""
-        return self._around.bob
-
-    @property
-    def drive(self) -> Drive | None:
-        """None for a free pendulum."""
-        return self._around.drive
-
-    @property
     def exact(self) -> bool:
         """Whether ω and Ω are those of the closed form."""
         return self._exact
-
-    @property
-    def effective_pendulum(self) -> Pendulum:
-        """The point mass that moves like this bob."""
-        return self._around.effective_pendulum
-
-    @property
-    def angular_frequency(self) -> Scalars:
-        """ω0, rad/s: of infinitesimal swings, with the bob's correction."""
-        return self.effective_pendulum.angular_frequency
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """Of the ensemble; () for a single motion."""
-        return self._around.shape
 
     @cached_property
     def span(self) -> tuple[float, float]:
@@ -226,10 +176,7 @@ class EnvelopeMotion:
     @cached_property
     def reason(self) -> NDArray[np.str_]:
         """Why a case of the ensemble is bad, "" where it is good: shape `shape`."""
-        sentences = [""] * self._around.count
-        for index, sentence in self._motions.problems():
-            sentences[index] = sentence
-        return np.array(sentences, dtype=np.str_).reshape(self.shape)
+        return self._reasons(self._motions.problems())
 
     @cached_property
     def _strongest(self) -> tuple[str, float]:

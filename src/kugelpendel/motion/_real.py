@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cached_property
 from math import inf, isfinite
-from typing import Literal, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,11 +18,12 @@ from ..parameters import (
     Launch,
     Numbers,
     Pendulum,
-    Scalars,
     Site,
     Suspension,
     as_numbers,
 )
+from ._pumping import refuse_pumping
+from ._surrounded import Surrounded
 from ._surroundings import Surroundings
 from ._times import checked_grid, checked_times
 
@@ -35,7 +36,7 @@ _FINEST = 1e-17
 _MOST = 10_000_000
 
 
-class RealMotion:
+class RealMotion(Surrounded):
     """A pendulum on the turning Earth, in air, on an imperfect suspension, driven or not.
 
     The full equations on the sphere, integrated by Taylor series of order 20 with dense output.
@@ -69,8 +70,8 @@ class RealMotion:
     ------
     InvalidInput
         For what a single ExactMotion would refuse, shapes that do not broadcast, a site whose given
-        gravity is not the pendulum's, and an unknown thread or tolerance. In an ensemble a bad
-        launch or pendulum gives NaN, and `reason` says why.
+        gravity is not the pendulum's, a drive that pumps without end, and an unknown thread or
+        tolerance. In an ensemble a bad launch or pendulum gives NaN, and `reason` says why.
 
     Notes
     -----
@@ -109,6 +110,7 @@ class RealMotion:
                 f"The tolerance must lie between 0 and 1e-3, but it is {tolerance:g}; leave it out "
                 f"for the finest."
             )
+        refuse_pumping(around.effective_pendulum, launch, drag, drive)
         self._around = around
         self._thread: Thread = thread
         self._tolerance = tolerance
@@ -125,40 +127,17 @@ class RealMotion:
             for _, sentence in self._motions.problems():
                 raise InvalidInput(sentence)
 
-    @property
-    def pendulum(self) -> Pendulum:
-        """What swings, as given."""
-        return self._around.pendulum
+    def __reduce__(self) -> tuple[type[RealMotion], tuple[Pendulum, Launch], dict[str, Any]]:
+        around = self._around
+        options: dict[str, Any] = {
+            "site": around.site, "drag": around.drag, "suspension": around.suspension,
+            "bob": around.bob, "drive": around.drive, "thread": self._thread,
+            "tolerance": self._tolerance,
+        }  # fmt: skip
+        return (RealMotion, (around.pendulum, around.launch), options)
 
-    @property
-    def launch(self) -> Launch:
-        """Position and velocity at t = 0, as given."""
-        return self._around.launch
-
-    @property
-    def site(self) -> Site | None:
-        """Where it hangs; None for a ground that does not turn."""
-        return self._around.site
-
-    @property
-    def drag(self) -> Drag | None:
-        """Of the air; None for a vacuum."""
-        return self._around.drag
-
-    @property
-    def suspension(self) -> Suspension | None:
-        """None for a perfect one."""
-        return self._around.suspension
-
-    @property
-    def bob(self) -> Bob | None:
-        """None for a point mass."""
-        return self._around.bob
-
-    @property
-    def drive(self) -> Drive | None:
-        """None for a free pendulum."""
-        return self._around.drive
+    def __setstate__(self, options: dict[str, Any]) -> None:
+        self.__init__(self.pendulum, self.launch, **options)
 
     @property
     def thread(self) -> Thread:
@@ -169,21 +148,6 @@ class RealMotion:
     def tolerance(self) -> float:
         """Of the integration."""
         return self._tolerance
-
-    @property
-    def effective_pendulum(self) -> Pendulum:
-        """The point mass that moves like this bob."""
-        return self._around.effective_pendulum
-
-    @property
-    def angular_frequency(self) -> Scalars:
-        """ω0, rad/s: of infinitesimal swings, with the bob's correction."""
-        return self.effective_pendulum.angular_frequency
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """Of the ensemble; () for a single motion."""
-        return self._around.shape
 
     @property
     def span(self) -> tuple[float, float]:
@@ -198,10 +162,7 @@ class RealMotion:
     @cached_property
     def reason(self) -> NDArray[np.str_]:
         """Why a case of the ensemble is bad, "" where it is good: shape `shape`."""
-        sentences = [""] * self._around.count
-        for index, sentence in self._motions.problems():
-            sentences[index] = sentence
-        return np.array(sentences, dtype=np.str_).reshape(self.shape)
+        return self._reasons(self._motions.problems())
 
     @property
     def trust(self) -> str:

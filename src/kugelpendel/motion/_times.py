@@ -5,9 +5,10 @@ from __future__ import annotations
 import os
 from functools import cache
 from math import isfinite
+from typing import cast
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ..parameters import InvalidInput, Numbers, as_array, as_numbers
 
@@ -51,6 +52,24 @@ def checked_count(count: int, least: int, name: str) -> int:
     if not whole or count < least:
         raise InvalidInput(f"{name} must be a whole number ≥ {least}, but it is {count!r}.")
     return int(count)
+
+
+def check_out(out: object, shape: tuple[int, ...]) -> None:
+    """Refuse what results cannot be written into without a copy."""
+    if not isinstance(out, np.ndarray):
+        raise InvalidInput(f"out must be an array to be filled, but it is {out!r}.")
+    array = cast("NDArray[np.generic]", out)
+    flags = array.flags
+    if array.dtype != np.float64 or not (flags.c_contiguous and flags.aligned and flags.writeable):
+        raise InvalidInput(
+            f"out must be a C-contiguous, writeable array of float64, but its dtype is "
+            f"{array.dtype} and its strides {array.strides}; make it with numpy.empty({shape})."
+        )
+    if array.shape != shape:
+        raise InvalidInput(
+            f"out must have the shape {shape}, but its shape is {array.shape}; make it with "
+            f"numpy.empty({shape})."
+        )
 
 
 def check_memory(count: int, numbers_each: int) -> None:
