@@ -80,6 +80,39 @@ SENTENCES: list[tuple[str, dict[str, dict[str, Any]], list[str]]] = [
     ("1e300 steps", {"output": {"step": 1e-300}}, ["more memory than there is"]),
     ("inf steps", {"output": {"step": 1e-310}}, ["more than 1e308 samples"]),
     ("unknown format", {"output": {"format": "hdf"}}, ['format = "hdf"', '"netcdf"', '"parquet"']),
+    ("latitude beyond a pole", {"site": {"latitude": "95 deg"}}, ['"95 deg" lies beyond a pole']),
+    ("latitude in metres", {"site": {"latitude": "48 m"}}, ["is not an angle", '"30 deg"']),
+    ("negative drag", {"drag": {"linear": "-1e-5 1/s"}}, ["The linear drag", "-1e-05 1/s"]),
+    ("drag said twice", {"drag": {"quality": 800, "half_life": "1 h"}}, ["quality and half_life"]),
+    ("drag in metres", {"drag": {"linear": "1 m"}}, ["is not a decay rate", "1e-5 1/s"]),
+    ("unknown key of a site", {"site": {"lattitude": 1}}, ["lattitude", "did you mean latitude?"]),
+    ("unknown key of a drive", {"drive": {"pusch": 1}}, ["pusch", "did you mean push?"]),
+    ("a bob of air", {"bob": {"radius": "1 cm", "density": 1}}, ["density", "exceed that of"]),
+    (
+        "a drive without drag",
+        {"drive": {"push": "1 mm/s", "phase": "10 deg"}},
+        ["push of 0.001 m/s pumps without end", "give it a drag"],
+    ),
+    (
+        "a drive that the drag cannot hold",
+        {"drive": {"push": "1 m/s", "radius": "1 cm"}, "drag": {"half_life": "1 h"}},
+        ["pumps without end", "keeps an amplitude of 0.2 m"],
+    ),
+    (
+        "two gravities",
+        {"site": {"latitude": "48 deg", "gravity": 9.7}, "pendulum": {"gravity": 9.8}},
+        ["The site's gravity is 9.7 m/s²", "the pendulum's 9.8 m/s²"],
+    ),
+    (
+        "slack at the launch",
+        {"launch": {"kind": "at_rest", "theta": "100 deg"}, "drag": {"linear": 0}},
+        ["slack at the launch", "start lower or faster"],
+    ),
+    (
+        "a real job of years, step by step",
+        {"drag": {"half_life": "1 h"}, "output": {"duration": "100 years", "step": "1 s"}},
+        ["3.16e+09 samples", "longer step"],
+    ),
     ("figure in words", {"output": {"figure": "yes"}}, ['figure = "yes"', "true or false"]),
 ]
 

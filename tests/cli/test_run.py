@@ -76,7 +76,7 @@ def test_tracks_of_many_blocks_are_seamless(
 
     names = {"csv": "track.csv", "netcdf": "track.nc", "parquet": "track.parquet"}
     call("run", write(), "--format", track_format, "--out", "one")
-    monkeypatch.setattr(_track, "_BLOCK", 17)
+    monkeypatch.setattr(_track, "BLOCK", 17)
     call("run", write(), "--format", track_format, "--out", "many")
     for folder in ("one", "many"):
         path = Path(folder, names[track_format])

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kugelpendel import ExactMotion
+    from kugelpendel.cli._passes import Passes
 
 COLUMNS = {
     "time": "s",
@@ -46,7 +47,7 @@ class Block:
     tension: NDArray[np.float64]
 
     @classmethod
-    def of(cls, motion: ExactMotion, first: int, time: NDArray[np.float64]) -> Block:
+    def of(cls, motion: ExactMotion | Passes, first: int, time: NDArray[np.float64]) -> Block:
         """Ask one motion about some times."""
         return cls(first, time, motion.position(time), motion.velocity(time), motion.tension(time))
 

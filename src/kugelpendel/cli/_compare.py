@@ -39,6 +39,12 @@ def compare(file: Path, folder: Path | None, as_json: bool) -> None:
         Anything wrong with the file or the folder. Nothing is left half-written.
     """
     job = read_job(file)
+    if job.surroundings:
+        tables = ", ".join(f"[{name}]" for name in job.surroundings)
+        raise kp.InvalidInput(
+            f"{file}: the motions that are compared know no forces but gravity, and the job has "
+            f"{tables}; leave that out, or use `kugelpendel run`."
+        )
     try:
         comparison = kp.compare(job.pendulum, job.launch, job.grid.duration)
     except kp.InvalidInput as error:

@@ -1,4 +1,7 @@
-"""The formats of a track. Each writer lends a function that appends one block."""
+"""The formats of a track. Each writer lends a function that appends one block.
+
+Of a track whose length is not known beforehand the count is None.
+"""
 
 # pyarrow and h5netcdf have no types.
 # pyright: reportMissingTypeStubs=false, reportUnknownMemberType=false
@@ -38,7 +41,7 @@ _VARIABLES = (
 
 
 @contextmanager
-def csv(path: Path, count: int) -> Generator[Write]:
+def csv(path: Path, count: int | None) -> Generator[Write]:
     """Text, one row a sample; numbers are the shortest that read back as the same binary64."""
     import pyarrow as pa
     from pyarrow.csv import CSVWriter, WriteOptions
@@ -52,7 +55,7 @@ def csv(path: Path, count: int) -> Generator[Write]:
 
 
 @contextmanager
-def parquet(path: Path, count: int) -> Generator[Write]:
+def parquet(path: Path, count: int | None) -> Generator[Write]:
     """Columns, with the unit in the metadata of each field."""
     import pyarrow as pa
     from pyarrow.parquet import ParquetWriter
@@ -65,7 +68,7 @@ def parquet(path: Path, count: int) -> Generator[Write]:
 
 
 @contextmanager
-def netcdf(path: Path, count: int) -> Generator[Write]:
+def netcdf(path: Path, count: int | None) -> Generator[Write]:
     """NetCDF 4: position and velocity by time and axis, units and meanings in the attributes."""
     import h5netcdf
 
@@ -82,6 +85,8 @@ def netcdf(path: Path, count: int) -> Generator[Write]:
 
         def write(block: Block) -> None:
             rows = slice(block.first, block.first + len(block.time))
+            if count is None:
+                file.resize_dimension("time", rows.stop)
             for name, variable in variables.items():
                 variable[rows] = getattr(block, name)
 

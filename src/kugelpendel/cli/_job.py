@@ -1,10 +1,12 @@
 """A job: the file that says what swings, how it starts, and what is written.
 
-A job file is TOML with three tables. Quantities are strings with a unit (``"67 m"``, ``"30 deg"``)
-or plain numbers in SI (m, s, kg, m/s, rad, rad/s).
+A job file is TOML with three tables, and for a real pendulum up to five more, which `_sections`
+describes together with ``[pendulum]``. Quantities are strings with a unit (``"67 m"``,
+``"30 deg"``) or plain numbers in SI (m, s, kg, m/s, rad, rad/s).
 
 ``[pendulum]``
-    length, gravity (9.80665 m/s² unless given), mass (1 kg unless given; it scales the tension)
+    length, gravity (9.80665 m/s² or the site's unless given), mass (1 kg or the bob's unless given;
+    it scales the tension)
 
 ``[launch]``
     kind, and the arguments of the constructor of `kugelpendel.Launch` of that name:
@@ -34,7 +36,8 @@ from typing import TYPE_CHECKING
 import kugelpendel as kp
 from kugelpendel.cli import _file
 from kugelpendel.cli._grid import Grid, read_grid
-from kugelpendel.cli._quantity import ACCELERATION, ANGLE, LENGTH, MASS, RATE, SPEED
+from kugelpendel.cli._quantity import ANGLE, LENGTH, RATE, SPEED
+from kugelpendel.cli._sections import SURROUNDINGS, Setup, read_setup
 from kugelpendel.cli._table import Table, split
 
 if TYPE_CHECKING:
@@ -57,13 +60,27 @@ class Job:
     """What a job file asks for, checked, in SI."""
 
     file: Path
-    pendulum: kp.Pendulum
-    has_mass: bool
+    setup: Setup
     kind: str
     launch: kp.Launch
     grid: Grid
     format: str
     figure: bool
+
+    @property
+    def pendulum(self) -> kp.Pendulum:
+        """What swings."""
+        return self.setup.pendulum
+
+    @property
+    def has_mass(self) -> bool:
+        """Whether a mass was given, by itself or with the bob."""
+        return self.setup.has_mass
+
+    @property
+    def surroundings(self) -> list[str]:
+        """The tables of the real pendulum that the file has; none for an ideal one."""
+        return [name for name in SURROUNDINGS if getattr(self.setup, name) is not None]
 
 
 def read_job(path: Path) -> Job:
@@ -76,15 +93,14 @@ def read_job(path: Path) -> Job:
     """
     tables = _file.read_file(path)
     try:
-        pendulum, launch, output = split(tables, ("pendulum", "launch", "output"))
-        pendulum.allow(("length", "gravity", "mass"))
+        present = split(tables, ("pendulum", "launch", "output"), SURROUNDINGS)
+        _, launch, output, *_ = present
         output.allow(("duration", "step", "samples", "format", "figure"))
         kind = launch.choice("kind", LAUNCHES)
         launch.allow(("kind", *LAUNCHES[kind]), owner=f' for kind = "{kind}"')
         return Job(
             file=path,
-            pendulum=_pendulum(pendulum),
-            has_mass="mass" in pendulum.entries,
+            setup=read_setup({table.name: table for table in present}),
             kind=kind,
             launch=_launch(launch, kind),
             grid=read_grid(output),
@@ -93,14 +109,6 @@ def read_job(path: Path) -> Job:
         )
     except kp.InvalidInput as error:
         raise kp.InvalidInput(f"{path}: {error}") from error
-
-
-def _pendulum(table: Table) -> kp.Pendulum:
-    return kp.Pendulum(
-        length=table.quantity("length", LENGTH),
-        gravity=table.quantity("gravity", ACCELERATION, default=9.80665),
-        mass=table.quantity("mass", MASS, default=1.0),
-    )
 
 
 def _launch(table: Table, kind: str) -> kp.Launch:

@@ -17,7 +17,8 @@ _BAD_INPUT = 2
 _INTERRUPTED = 130
 
 _EPILOG = """\
-A job file looks like this; quantities have a unit or are plain SI numbers:
+A job file looks like this; quantities have a unit or are plain SI numbers. For a real pendulum
+there are [site], [drag], [suspension], [bob] and [drive] too: see examples/pantheon-day.toml.
 
   [pendulum]
   length = "67 m"
@@ -124,8 +125,9 @@ def _run(given: argparse.Namespace) -> int:
         return _refuse(str(error))
     except ImportError as missing:
         return _refuse(_not_installed(missing, given.command))
-    except KeyboardInterrupt:
-        print("kugelpendel: interrupted; no file is left half-written.", file=sys.stderr)
+    except KeyboardInterrupt as interruption:
+        kept = str(interruption) or "interrupted; no file is left half-written."
+        print(f"kugelpendel: {kept}", file=sys.stderr)
         return _INTERRUPTED
     except BrokenPipeError:
         # The reader of a pipe, such as `head`, has had enough; all files are written by now.

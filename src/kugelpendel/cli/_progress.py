@@ -21,21 +21,21 @@ class Progress:
     ----------
     title : str
         What is being done.
-    total : int
+    total : float
         How much work there is, in the units of `advance`.
     """
 
-    def __init__(self, title: str, total: int) -> None:
+    def __init__(self, title: str, total: float) -> None:
         self._title = title
         self._total = total
-        self._done = 0
+        self._done = 0.0
         self._started = time.monotonic()
         self._bar: rich.progress.Progress | None = None
 
     def __enter__(self) -> Progress:
         return self
 
-    def advance(self, amount: int) -> None:
+    def advance(self, amount: float) -> None:
         """Count work as done."""
         self._done += amount
         if self._bar is None and self._is_due():
@@ -63,6 +63,7 @@ class Progress:
 
         columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn())
         bar = Bar(*columns, TimeRemainingColumn(), console=Console(file=sys.stderr), transient=True)
-        bar.add_task(self._title, total=self._total, completed=self._done)
+        task = bar.add_task(self._title, total=self._total)
+        bar.update(task, completed=self._done)
         bar.start()
         return bar

@@ -6,6 +6,8 @@ import json
 import math
 from typing import TYPE_CHECKING, Any, cast
 
+from kugelpendel.cli._job import LAUNCHES
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -22,7 +24,7 @@ _UNIT = {
 }
 
 
-def as_json(job: Job, answer: Answer, arguments: Sequence[str], files: Sequence[str]) -> str:
+def as_json(job: Job, answer: Answer, files: Sequence[str]) -> str:
     """All numbers as JSON text.
 
     Parameters
@@ -31,24 +33,13 @@ def as_json(job: Job, answer: Answer, arguments: Sequence[str], files: Sequence[
         What was asked.
     answer : Answer
         What was found. What is infinite or does not exist is null.
-    arguments : sequence of str
-        Names of the launch's values, in order.
     files : sequence of str
         Names of the other files in the output folder.
     """
     tables = {
         "about": "kugelpendel: SI units, named in the keys; azimuths and the signs of rates are "
         "positive counter-clockwise seen from above; null is infinite or not there",
-        "job": job.file.name,
-        "pendulum": {
-            "length_m": float(job.pendulum.length),
-            "gravity_m_per_s2": float(job.pendulum.gravity),
-            "mass_kg": float(job.pendulum.mass),
-        },
-        "launch": {
-            "kind": job.kind,
-            **_launch(job, arguments),
-        },
+        **describe_start(job),
         "motion": _motion(answer),
         "formula_25": {
             "precession_rad_per_s": answer.formula_25,
@@ -68,7 +59,25 @@ def as_json(job: Job, answer: Answer, arguments: Sequence[str], files: Sequence[
             "files": list(files),
         },
     }
+    return to_json(tables)
+
+
+def to_json(tables: dict[str, Any]) -> str:
+    """The tables as JSON text, with null in place of what is not finite."""
     return json.dumps(_finite(tables), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def describe_start(job: Job) -> dict[str, Any]:
+    """The job's name, its pendulum and its launch."""
+    return {
+        "job": job.file.name,
+        "pendulum": {
+            "length_m": float(job.pendulum.length),
+            "gravity_m_per_s2": float(job.pendulum.gravity),
+            "mass_kg": float(job.pendulum.mass),
+        },
+        "launch": {"kind": job.kind, **_launch(job, LAUNCHES[job.kind])},
+    }
 
 
 def _launch(job: Job, arguments: Sequence[str]) -> dict[str, Any]:

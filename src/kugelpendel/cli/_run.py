@@ -12,15 +12,15 @@ from kugelpendel import plot
 from kugelpendel.cli import _results
 from kugelpendel.cli._answer import find
 from kugelpendel.cli._folder import staged
-from kugelpendel.cli._job import LAUNCHES, read_job
+from kugelpendel.cli._job import read_job
 from kugelpendel.cli._progress import Progress
-from kugelpendel.cli._report import describe_launch, report
-from kugelpendel.cli._track import FILES, write_track
+from kugelpendel.cli._real import run_real
+from kugelpendel.cli._report import report
+from kugelpendel.cli._track import FIGURE, FILES, write_track
+from kugelpendel.cli._words import describe_launch
 
 if TYPE_CHECKING:
     from kugelpendel.cli._job import Job
-
-FIGURE = "figure.png"
 
 
 def run(file: Path, folder: Path | None, as_json: bool, track_format: str | None) -> None:
@@ -45,34 +45,37 @@ def run(file: Path, folder: Path | None, as_json: bool, track_format: str | None
     job = read_job(file)
     if track_format is not None:
         job = replace(job, format=track_format)
+    target = folder if folder is not None else Path("out") / file.stem
+    do = run_real if job.surroundings else _run_ideal
+    results, said, files = do(job, target, _capitalised(file.stem))
+    if as_json:
+        sys.stdout.write(results)
+    else:
+        print(said)
+        print(f"\nIn {target}: {', '.join(files)}")
+
+
+def _run_ideal(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
+    """As `run_real`, for a job without forces: the exact motion in closed form."""
     try:
         motion = kp.ExactMotion(job.pendulum, job.launch)
     except kp.InvalidInput as error:
-        raise kp.InvalidInput(f"{file}: {error}") from error
+        raise kp.InvalidInput(f"{job.file}: {error}") from error
     answer = find(motion)
-    target = folder if folder is not None else Path("out") / file.stem
     track = FILES[job.format]
     files = [track, FIGURE] if job.figure else [track]
-    results = _results.as_json(job, answer, LAUNCHES[job.kind], files)
+    results = _results.as_json(job, answer, files)
     with staged(target, (*FILES.values(), FIGURE, _results.FILE)) as temporary:
         with Progress("Writing the track", job.grid.count) as progress:
             write_track(temporary / track, motion, job.grid, job.format, progress.advance)
         if job.figure:
-            title = f"{_capitalised(file.stem)}: {describe_launch(job)}"
+            title = f"{title}: {describe_launch(job)}"
             figure = plot.overview(motion, job.grid.duration, answer.formula_25, title)
             plot.save(figure, temporary / FIGURE)
         (temporary / _results.FILE).write_text(results, encoding="utf-8")
-    if as_json:
-        sys.stdout.write(results)
-    else:
-        print(report(job, answer))
-        print(f"\n{_written(job, target, files)}")
-
-
-def _written(job: Job, target: Path, files: list[str]) -> str:
     samples = f"{job.grid.count:,}".replace(",", " ")
     named = [f"{files[0]} ({samples} samples)", *files[1:], _results.FILE]
-    return f"In {target}: {', '.join(named)}"
+    return results, report(job, answer), named
 
 
 def _capitalised(stem: str) -> str:

@@ -19,13 +19,17 @@ if TYPE_CHECKING:
 FILES = {"csv": "track.csv", "netcdf": "track.nc", "parquet": "track.parquet"}
 """Name of the track by its format."""
 
-_WRITERS = {
+FIGURE = "figure.png"
+
+WRITERS = {
     "csv": _formats.csv,
     "netcdf": _formats.netcdf,
     "parquet": _formats.parquet,
 }
+"""For each format a context that opens a file and lends what appends a block to it."""
 
-_BLOCK = 1 << 16  # samples: 4 MiB, so that a long track takes no more memory than a short one
+BLOCK = 1 << 16
+"""Samples held at once: 4 MiB, so that a long track takes no more memory than a short one."""
 
 
 def write_track(
@@ -48,8 +52,8 @@ def write_track(
     done : callable
         Told how many samples were written since the last call.
     """
-    with _WRITERS[track_format](path, grid.count) as write:
-        for first in range(0, grid.count, _BLOCK):
-            stop = min(first + _BLOCK, grid.count)
+    with WRITERS[track_format](path, grid.count) as write:
+        for first in range(0, grid.count, BLOCK):
+            stop = min(first + BLOCK, grid.count)
             write(Block.of(motion, first, grid.step * np.arange(first, stop, dtype=np.float64)))
             done(stop - first)

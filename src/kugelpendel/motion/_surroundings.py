@@ -66,7 +66,7 @@ class Surroundings:
         )  # fmt: skip
         return [part for part in parts if part is not None]
 
-    @property
+    @cached_property
     def shape(self) -> tuple[int, ...]:
         """Of the ensemble; () where everything is one number."""
         return np.broadcast_shapes(*(part.shape for part in self._parts))

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..motion import EnvelopeMotion, ExactMotion, Motion, RealMotion
-from ..parameters import Launch, Numbers, Pendulum
+from ..parameters import Launch, Numbers, Pendulum, Scalars
 
 
 def ellipse(motion: Motion, t: ArrayLike) -> tuple[Numbers, Numbers, Numbers]:
@@ -34,18 +34,42 @@ def ellipse(motion: Motion, t: ArrayLike) -> tuple[Numbers, Numbers, Numbers]:
     (velocity plus Ω_z × r): a bob let go at rest on the turning Earth runs through one.
     """
     times = np.asarray(t, dtype=np.float64)
-    place, velocity = motion.position(times), motion.velocity(times)
-    pendulum, turn = motion.pendulum, np.zeros(())
+    pendulum, rotation = motion.pendulum, 0.0
     if isinstance(motion, RealMotion | EnvelopeMotion):
         pendulum = motion.effective_pendulum
         if motion.site is not None:
-            turn = np.asarray(motion.site.vertical_rotation)
+            rotation = motion.site.vertical_rotation
+    place, velocity = motion.position(times), motion.velocity(times)
+    return osculating_ellipse(place, velocity, pendulum, rotation, times)
+
+
+def osculating_ellipse(
+    place: Numbers, velocity: Numbers, pendulum: Pendulum, rotation: Scalars, times: Numbers
+) -> tuple[Numbers, Numbers, Numbers]:
+    """As `ellipse`, of positions and velocities that are known already.
+
+    Parameters
+    ----------
+    place, velocity
+        m, m/s, shape (*shape, *times.shape, 3).
+    pendulum
+        The point mass that moves like the bob.
+    rotation
+        Ω_z of the ground, rad/s; 0 where it does not turn.
+    times
+        s.
+    """
+    shape = place.shape[: place.ndim - 1 - times.ndim]
     tail = (1,) * times.ndim
-    turn = np.broadcast_to(turn, motion.shape).reshape((*motion.shape, *tail))
+    turn = np.broadcast_to(rotation, shape).reshape((*shape, *tail))
     x, y = place[..., 0], place[..., 1]
     velocity = velocity + np.stack([-turn * y, turn * x, np.zeros_like(x)], axis=-1)
-    columns = (np.broadcast_to(value, motion.shape) for value in pendulum.values)
-    each = Pendulum(*(column.reshape((*motion.shape, *tail, 1)) for column in columns))
+    # Rounding of the position alone is more than a launch allows beside the small speed of a
+    # turning point.
+    along = (velocity * place).sum(axis=-1) / np.square(place).sum(axis=-1)
+    velocity = velocity - along[..., np.newaxis] * place
+    columns = (np.broadcast_to(value, shape) for value in pendulum.values)
+    each = Pendulum(*(column.reshape((*shape, *tail, 1)) for column in columns))
     ideal = ExactMotion(each, Launch.state(place[..., np.newaxis, :], velocity[..., np.newaxis, :]))
     radii = ideal.turning_radii[..., 0, :]
     sense = np.where(np.asarray(ideal.angular_momentum)[..., 0] < 0, -1.0, 1.0)

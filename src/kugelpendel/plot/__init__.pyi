@@ -1,10 +1,12 @@
 from ._compared import compared as compared
 from ._constants import Constants as Constants
+from ._day import day as day
 from ._design import design as design
 from ._overview import overview as overview
 from ._overview import save as save
 from ._turning import turning_rate as turning_rate
 from ._units import Unit as Unit
+from ._units import rate_unit as rate_unit
 from ._units import significant as significant
 from ._units import spell as spell
 from ._units import spell_percent as spell_percent
@@ -18,8 +20,10 @@ __all__ = [
     "Constants",
     "Unit",
     "compared",
+    "day",
     "design",
     "overview",
+    "rate_unit",
     "save",
     "significant",
     "spell",

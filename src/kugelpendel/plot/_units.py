@@ -113,11 +113,17 @@ def significant(value: float, digits: int = 4) -> str:
     return f"{value:.{digits - 1}e}"
 
 
+def rate_unit(rate: float) -> Unit:
+    """The unit for angular velocities of this size in rad/s: °/h if it is slow, else °/s."""
+    if abs(rate) / _DEGREE * _HOUR < 3600:
+        return Unit("°/h", _DEGREE / _HOUR, 0.0)
+    return Unit("°/s", _DEGREE, _DEGREE)
+
+
 def spell_rate(rate: float, digits: int = 4) -> str:
     """An angular velocity, given in rad/s, with its sign: in °/h if it is slow, else in °/s."""
-    hourly = rate / _DEGREE * _HOUR
-    if abs(hourly) < 3600:
-        return f"{_signed(hourly, digits)} °/h"
+    if rate_unit(rate).symbol == "°/h":
+        return f"{_signed(rate / _DEGREE * _HOUR, digits)} °/h"
     return f"{_signed(rate / _DEGREE, digits)} °/s"
 
 

@@ -8,10 +8,10 @@
 
 use super::drag::Quadratic;
 use super::ideal::Ideal;
+use super::push::averaged;
 use crate::arithmetic::Portable;
 use crate::forces::{Drive, Forces};
 use crate::shape::product;
-use std::f64::consts::{FRAC_PI_2, PI};
 
 type Complex = [f64; 2];
 
@@ -171,39 +171,8 @@ impl Law {
     }
 
     fn pushed(&self, circles: &Circles, ideal: &Ideal) -> Option<[Complex; 2]> {
-        let [ahead, behind] = self.pushes(circles, ideal)?;
+        let [ahead, behind] = averaged(&self.drive, circles.p, circles.q, ideal.frequency)?;
         Some([product::<Portable>(ahead, circles.ahead), product::<Portable>(behind, circles.behind)])
-    }
-
-    /// B₊'/e^{i arg B₊} and B₋'/e^{i arg B₋} of the drive: the velocity gains push·ξ/|ξ| in each half swing π/ω.
-    fn pushes(&self, circles: &Circles, ideal: &Ideal) -> Option<[Complex; 2]> {
-        let Circles { p, q, .. } = *circles;
-        // cos 2Θ, sin 2Θ at the push; Θ counts from an outer turning point.
-        let (push, [cos, sin]) = match self.drive {
-            Drive::Absent => return None,
-            Drive::Phase { push, phase } => {
-                let (sin, cos) = (2.0 * (FRAC_PI_2 + phase * ideal.frequency)).sin_cos();
-                (push, [cos, sin])
-            }
-            Drive::Radius { push, radius } => {
-                // ρ² = p² + q² + 2pq cos 2Θ, and ρ grows where sin 2Θ < 0.
-                let cos = (radius * radius - p * p - q * q) / (2.0 * p * q);
-                if !(-1.0..=1.0).contains(&cos) {
-                    return None;
-                }
-                (push, [cos, -(1.0 - cos * cos).sqrt()])
-            }
-        };
-        // e^{−iΘ}ξ/|ξ| and its mirror image; through the axis itself the way is straight on.
-        let outward = |own: f64, other: f64, sign: f64| {
-            let (re, im) = (own + other * cos, sign * other * sin);
-            let radius = re.hypot(im);
-            if radius > 0.0 { [re / radius, im / radius] } else { [0.0, -sign] }
-        };
-        let strength = 0.5 * push * ideal.frequency / PI;
-        let (ahead, behind) = (outward(p, q, -1.0), outward(q, p, 1.0));
-        // 1/2i and −1/2i
-        Some([[strength * ahead[1], -strength * ahead[0]], [-strength * behind[1], strength * behind[0]]])
     }
 
     /// The plane's rate by its causes: the Earth, the ideal motion, the suspension's stiffness, its damping, the drive.
@@ -217,7 +186,7 @@ impl Law {
         let stiff = times(0.5 * (q / p - p / q), seen(self.stiff)[0]);
         let turn = self.turn;
         let lossy = times(-0.5 * ((1.0 + turn) * q / p + (1.0 - turn) * p / q), seen(self.lossy)[1]);
-        let drive = self.pushes(circles, &ideal);
+        let drive = averaged(&self.drive, p, q, ideal.frequency);
         let drive = drive.map_or(0.0, |[first, second]| 0.5 * (times(1.0 / p, first[1]) + times(1.0 / q, second[1])));
         [-turn, ideal.precession, stiff, lossy, drive]
     }
@@ -232,6 +201,17 @@ impl Law {
             rates[1] += circles.behind[0] * added[1][0] + circles.behind[1] * added[1][1];
         }
         rates
+    }
+
+    /// By which share of itself a swing of amplitude a changes while its phase grows by 1: under linear drag (of which the
+    /// first order is exact: the square), quadratic drag, the suspension's stiffness, its damping, and the drive.
+    pub(super) fn strengths(&self, a: f64) -> [f64; CAUSES] {
+        let size = |[re, im]: Complex| 2.0 * re.hypot(im);
+        let push = match self.drive {
+            Drive::Absent => 0.0,
+            Drive::Phase { push, .. } | Drive::Radius { push, .. } => push.abs() / a,
+        };
+        [self.drag[0] * self.drag[0], self.drag[1] * a, size(self.stiff), size(self.lossy), push]
     }
 
     /// Whether no amplitude can reach the support from below it: nothing acts but what turns the motion.

@@ -1,0 +1,82 @@
+"""How long a job takes, said before it is waited for, and whether the user wants to stop it."""
+
+from __future__ import annotations
+
+import signal
+import sys
+import time
+from types import FrameType
+from typing import TYPE_CHECKING, Any
+
+from kugelpendel.plot import spell
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+_WORTH_SAYING = 10.0
+"""s; jobs that are over sooner say nothing."""
+
+_TRIAL = 0.5
+"""s of work, by which the rest is judged."""
+
+_SIGNALS = (signal.SIGINT, signal.SIGTERM)
+
+
+class Estimate:
+    """Says once on stderr how long the whole will take, when that is long.
+
+    Parameters
+    ----------
+    total : float
+        How much work there is, in any unit.
+    """
+
+    def __init__(self, total: float) -> None:
+        self._total = total
+        self._started = time.monotonic()
+        self._said = False
+
+    def after(self, done: float) -> None:
+        """Judge by the work that is done."""
+        taken = time.monotonic() - self._started
+        if self._said or taken < _TRIAL or done <= 0:
+            return
+        self._said = True
+        whole = taken * self._total / done
+        if whole > _WORTH_SAYING:
+            sentence = f"this takes about {spell(whole, 's', 2)}; Ctrl-C keeps what is done."
+            print(f"kugelpendel: {sentence}", file=sys.stderr)
+
+
+class Wish:
+    """Whether the user has asked to stop: by Ctrl-C, or by the signal that ends a program.
+
+    Within the block the first such signal only sets ``stop``, so that nothing is torn apart in the
+    middle of a row; a second one interrupts at once.
+    """
+
+    def __init__(self) -> None:
+        self.stop = False
+        self._before: dict[int, Any] = {}
+
+    def __enter__(self) -> Wish:
+        try:
+            for number in _SIGNALS:
+                self._before[number] = signal.signal(number, self._ask)
+        except ValueError:  # not in the main thread, where no signal arrives
+            pass
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        for number, handler in self._before.items():
+            signal.signal(number, handler)
+
+    def _ask(self, number: int, frame: FrameType | None) -> None:
+        if self.stop:
+            raise KeyboardInterrupt
+        self.stop = True
