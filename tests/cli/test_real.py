@@ -247,6 +247,13 @@ def test_interrupted_tracks_are_whole(
     assert_allclose(table[:, 1:4], motion().position(times), rtol=0, atol=0)
 
 
+def test_an_interrupted_job_goes_beside_its_folder() -> None:
+    from kugelpendel.cli._real import _aside
+
+    assert _aside(Path("out/job")) == Path("out/job-interrupted")
+    assert _aside(Path()) == Path("interrupted")
+
+
 def test_second_interruption_leaves_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     from kugelpendel.cli._estimate import Wish
 
