@@ -98,6 +98,12 @@ impl EnvelopeMotions {
         Ok((array, ends.into_pyarray(py)))
     }
 
+    /// The five strengths of the forces, each the largest of all motions, NaN not counted.
+    fn strengths(&self) -> [f64; 5] {
+        let all = self.motions.iter().flatten().map(EnvelopeMotion::strengths);
+        all.fold([0.0; 5], |most, these| std::array::from_fn(|k| f64::max(most[k], these[k])))
+    }
+
     /// The times in s between which each motion holds, two to a motion, looked for within a time; NaN for the bad ones.
     fn span<'py>(&self, py: Python<'py>, within: f64) -> Numbers<'py> {
         let span = |motion: &Result<EnvelopeMotion, Invalid>| motion.as_ref().map_or([f64::NAN; 2], |m| m.span(within));

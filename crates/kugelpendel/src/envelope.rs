@@ -29,6 +29,10 @@ use steps::{Moment, Walk};
 /// Beyond this share of the length, swings are not averaged: turning radii no longer tell motions apart.
 const LARGEST: f64 = 0.9999;
 
+/// Rates of the forces beyond this share of ω0 are refused: the mean motion is off by a tenth of itself within 100
+/// swings (benchmarks/envelope.py).
+const MOST: f64 = 0.1;
+
 /// From where, and under which forces.
 #[derive(Clone, Debug)]
 pub struct EnvelopeMotion {
@@ -83,8 +87,8 @@ impl EnvelopeMotion {
     /// With `exact`, ω and Ω are those of the closed form, and linear drag is averaged at any amplitude.
     ///
     /// # Errors
-    /// A pendulum or launch that makes no sense, one that rises to the support's level, and an anisotropy that leaves no
-    /// restoring force.
+    /// A pendulum or launch that makes no sense, one that rises to the support's level, and forces that change a swing
+    /// too much to be averaged.
     pub fn new(pendulum: Pendulum, launch: Launch, forces: Forces, drive: Drive, exact: bool) -> Result<Self, Invalid> {
         let motion = ExactMotion::new(pendulum, launch)?;
         let omega0 = pendulum.angular_frequency();
@@ -94,11 +98,18 @@ impl EnvelopeMotion {
             numbers.iter().chain(&damping).all(|value| value.is_finite()),
             "The forces on the pendulum must be finite numbers, but they are {numbers:?} and {damping:?}."
         );
-        require!(
-            forces.anisotropy > -0.5 * omega0,
-            "The suspension's anisotropy {} rad/s leaves no restoring force along its axis; ω0 is {omega0} rad/s.",
-            forces.anisotropy
-        );
+        for (name, value, unit, most) in [
+            ("suspension's anisotropy", forces.anisotropy, "rad/s", MOST),
+            ("suspension's damping anisotropy", forces.damping_anisotropy, "1/s", MOST),
+            ("linear drag", forces.damping, "1/s", 0.5),
+        ] {
+            require!(
+                value.abs() <= most * omega0,
+                "The {name} of {value} {unit} is {:.3} of ω0 = {omega0:.6} rad/s; beyond {most} of it swings cannot be \
+                 averaged: use RealMotion.",
+                value.abs() / omega0
+            );
+        }
         let law = Law::new(&forces, drive, pendulum.length, omega0, exact);
         let [mut place, mut rate] = [[0.0; 3]; 2];
         motion.fill(Quantity::Position, Times::Scattered(&[0.0]), &mut place);
@@ -133,6 +144,13 @@ impl EnvelopeMotion {
         let (behind, ahead) = order.split_at(order.partition_point(|index| times[*index] < 0.0));
         let ahead = self.sweep(0, ahead.iter().copied(), what, times, out, walks);
         ahead.and(self.sweep(1, behind.iter().rev().copied(), what, times, out, walks))
+    }
+
+    /// By which share of itself each force changes a swing of the launch's size: linear and quadratic drag, the
+    /// suspension's stiffness and damping, the drive.
+    pub fn strengths(&self) -> [f64; 5] {
+        let Circles { p, q, .. } = Circles::of(&self.start.state);
+        self.law.strengths(p + q)
     }
 
     /// The times in s between which the motion holds, looked for up to `within` s to both sides.

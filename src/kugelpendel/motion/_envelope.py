@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass, fields
 from functools import cached_property
 
@@ -17,16 +18,35 @@ from ..parameters import (
     Launch,
     Numbers,
     Pendulum,
-    Scalars,
     Site,
     Suspension,
 )
 from ._pumping import refuse_pumping
+from ._real import RealMotion
+from ._surrounded import Surrounded
 from ._surroundings import Surroundings
 from ._times import checked_grid, checked_times
 
 _AHEAD = 1e8
 """s: how far an end of the motion is looked for, some three years."""
+
+_WARN = 0.01
+"""Forces that change a swing by more than this share of it: a warning with the measured error.
+
+The mean motion is then off by 1e-3 … 2e-2 of the amplitude within 100 swings of 0.05 l, and by up
+to 0.13 of it at 0.3 l (benchmarks/envelope.py).
+"""
+
+_FORCES = (
+    "linear drag",
+    "quadratic drag",
+    "suspension's anisotropy",
+    "suspension's damping",
+    "drive",
+)
+
+_SWINGS = 100
+"""Swings over which that error is measured."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +86,7 @@ class TurningRates:
         return self.earth + self.intrinsic + self.anisotropy + self.damping + self.drive
 
 
-class EnvelopeMotion:
+class EnvelopeMotion(Surrounded):
     """A real pendulum, averaged over its swings: an ellipse that turns, shrinks and widens.
 
     What `RealMotion` integrates swing by swing goes in some dozens of steps here, over days. Arrays
@@ -83,8 +103,15 @@ class EnvelopeMotion:
     Raises
     ------
     InvalidInput
-        For what `RealMotion` would refuse, a launch that rises to the support, and a drive that
-        pumps without end. In an ensemble a bad launch or pendulum gives NaN, and `reason` says why.
+        For what `RealMotion` would refuse, a launch that rises to the support, a drive that pumps
+        without end, anisotropies beyond a tenth of ω0 and a linear drag beyond half of it. In an
+        ensemble a bad case gives NaN, and `reason` says why.
+
+    Warns
+    -----
+    UserWarning
+        Where a force changes a swing by more than a hundredth of itself: with the error, measured
+        against `RealMotion` over 100 swings.
 
     Notes
     -----
@@ -121,61 +148,17 @@ class EnvelopeMotion:
         if self.shape == ():
             for _, sentence in self._motions.problems():
                 raise InvalidInput(sentence)
+        name, strength = self._strongest
+        if strength > _WARN:
+            warnings.warn(self._caution(name, strength), stacklevel=2)
 
-    @property
-    def pendulum(self) -> Pendulum:
-        """What swings, as given."""
-        return self._around.pendulum
-
-    @property
-    def launch(self) -> Launch:
-        """Position and velocity at t = 0, as given."""
-        return self._around.launch
-
-    @property
-    def site(self) -> Site | None:
-        """Where it hangs; None for a ground that does not turn."""
-        return self._around.site
-
-    @property
-    def drag(self) -> Drag | None:
-        """Of the air; None for a vacuum."""
-        return self._around.drag
-
-    @property
-    def suspension(self) -> Suspension | None:
-        """None for a perfect one."""
-        return self._around.suspension
-
-    @property
-    def bob(self) -> Bob | None:
-        """None for a point mass."""
-        return self._around.bob
-
-    @property
-    def drive(self) -> Drive | None:
-        """None for a free pendulum."""
-        return self._around.drive
+    def __reduce__(self) -> tuple[object, ...]:
+        return (_again, (self._around, self._exact))
 
     @property
     def exact(self) -> bool:
         """Whether ω and Ω are those of the closed form."""
         return self._exact
-
-    @property
-    def effective_pendulum(self) -> Pendulum:
-        """The point mass that moves like this bob."""
-        return self._around.effective_pendulum
-
-    @property
-    def angular_frequency(self) -> Scalars:
-        """ω0, rad/s: of infinitesimal swings, with the bob's correction."""
-        return self.effective_pendulum.angular_frequency
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """Of the ensemble; () for a single motion."""
-        return self._around.shape
 
     @cached_property
     def span(self) -> tuple[float, float]:
@@ -193,15 +176,61 @@ class EnvelopeMotion:
     @cached_property
     def reason(self) -> NDArray[np.str_]:
         """Why a case of the ensemble is bad, "" where it is good: shape `shape`."""
-        sentences = [""] * self._around.count
-        for index, sentence in self._motions.problems():
-            sentences[index] = sentence
-        return np.array(sentences, dtype=np.str_).reshape(self.shape)
+        return self._reasons(self._motions.problems())
+
+    @cached_property
+    def _strongest(self) -> tuple[str, float]:
+        """What changes a swing the most, and by which share of itself."""
+        strengths = self._motions.strengths()
+        largest = max(range(len(strengths)), key=strengths.__getitem__)
+        return (_FORCES[largest], strengths[largest])
+
+    def _caution(self, name: str, strength: float) -> str:
+        measured = "."
+        if self.shape == ():
+            measured = (
+                f": against RealMotion it is off by {self._measured_error():.2g} of the amplitude "
+                f"within {_SWINGS} swings."
+            )
+        return (
+            f"The {name} changes a swing by {strength:.2g} of itself, much for an averaged motion"
+            f"{measured} Use RealMotion."
+        )
+
+    def _measured_error(self) -> float:
+        """Largest distance from the full equations over 100 swings, as a share of a."""
+        around = self._around
+        swing = 2 * np.pi / float(self.angular_frequency)
+        times = swing * np.linspace(0.0, _SWINGS, 20 * _SWINGS + 1)
+        full = RealMotion(
+            around.pendulum,
+            around.launch,
+            site=around.site,
+            drag=around.drag,
+            suspension=around.suspension,
+            bob=around.bob,
+            drive=around.drive,
+            thread="rod",
+        )
+        times = times[times < self.span[1]]
+        apart = np.linalg.norm(self.position(times) - full.position(times), axis=-1)
+        return float((apart / self.semi_axes(times)[..., 0]).max())
 
     @property
     def trust(self) -> str:
-        """Where the motion holds."""
-        return "Swings below the support, with forces that change them little in one swing."
+        """Where the motion holds, and how far for these forces."""
+        name, strength = self._strongest
+        if strength == 0.0:
+            return "Swings below the support; without forces, or under a turning ground, exact."
+        with np.errstate(all="ignore"):
+            size = np.nanmax(self.semi_axes(0.0)[..., 0] / np.asarray(self.pendulum.length))
+        return (
+            f"Swings below the support, and forces that change them little in one swing: here by "
+            f"{strength:.1g} of the swing ({name}), by about half of which it wavers about the "
+            f"mean. Left out of the effect of suspension and quadratic drag is a share of about "
+            f"{0.05 * size**2:.1g}. Next to a circle the azimuth, and what a drive does, mean "
+            f"little."
+        )
 
     def semi_axes(self, t: ArrayLike) -> Numbers:
         """Turning radii a ≥ |b| of the mean motion, m: shape (*shape, *t.shape, 2).
@@ -267,3 +296,16 @@ class EnvelopeMotion:
                 f"Keep to its span, or use RealMotion."
             )
         return flat.reshape((*self.shape, *times.shape, *tail))
+
+
+def _again(around: Surroundings, exact: bool) -> EnvelopeMotion:
+    return EnvelopeMotion(
+        around.pendulum,
+        around.launch,
+        site=around.site,
+        drag=around.drag,
+        suspension=around.suspension,
+        bob=around.bob,
+        drive=around.drive,
+        exact=exact,
+    )

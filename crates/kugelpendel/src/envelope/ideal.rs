@@ -25,6 +25,9 @@ impl Ideal {
 
     /// Of the radii a = p + q < 1 and b = p − q, of which the sign is the sense. With DECAY the last field is right too.
     pub(super) fn exact<const DECAY: bool>(p: f64, q: f64) -> Self {
+        if p + q < 1e-9 {
+            return Self::bracketed(p, q); // and nothing underflows
+        }
         let height = |radius: f64| radius * radius / (1.0 + (1.0 - radius * radius).sqrt());
         let inner = (p - q).abs();
         let (high, low) = (height(p + q), height(inner));

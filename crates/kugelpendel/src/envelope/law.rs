@@ -203,6 +203,17 @@ impl Law {
         rates
     }
 
+    /// By which share of itself a swing of amplitude a changes while its phase grows by 1: under linear drag (of which the
+    /// first order is exact: the square), quadratic drag, the suspension's stiffness, its damping, and the drive.
+    pub(super) fn strengths(&self, a: f64) -> [f64; CAUSES] {
+        let size = |[re, im]: Complex| 2.0 * re.hypot(im);
+        let push = match self.drive {
+            Drive::Absent => 0.0,
+            Drive::Phase { push, .. } | Drive::Radius { push, .. } => push.abs() / a,
+        };
+        [self.drag[0] * self.drag[0], self.drag[1] * a, size(self.stiff), size(self.lossy), push]
+    }
+
     /// Whether no amplitude can reach the support from below it: nothing acts but what turns the motion.
     pub(super) fn is_ideal(&self) -> bool {
         self.drag == [0.0; 2] && self.stiff == [0.0; 2] && self.lossy == [0.0; 2] && self.drive == Drive::Absent

@@ -14,6 +14,9 @@ pub(super) fn averaged(drive: &Drive, p: f64, q: f64, frequency: f64) -> Option<
     let (sum, product) = (high + low, high * low);
     let rest = 2.0 - sum;
     let range = 4.0 * p * q / rest; // high − low
+    if range <= 0.0 {
+        return None; // a circle passes no closest point
+    }
     let third = 2.0 + product / rest;
     // Height of the push, and 2Θ there, Θ from an outer turning point.
     let (push, at, [cos, sin]) = match *drive {
@@ -29,7 +32,7 @@ pub(super) fn averaged(drive: &Drive, p: f64, q: f64, frequency: f64) -> Option<
         }
         Drive::Radius { push, radius } => {
             let square = radius * radius;
-            if !(inner..=outer).contains(&square) || p * q == 0.0 {
+            if !(inner..=outer).contains(&square) {
                 return None;
             }
             // ρ² = p² + q² + 2pq cos 2Θ, and ρ grows where sin 2Θ < 0.
@@ -58,9 +61,6 @@ pub(super) fn averaged(drive: &Drive, p: f64, q: f64, frequency: f64) -> Option<
     let range_rate = (sum * sum_rate - 2.0 * product_rate) / range;
     let both_rate = 0.25 * (range_rate * rest - range * sum_rate); // of pq
     let smaller_rate = (both_rate - larger_rate * p.min(q)) / p.max(q);
-    if !(range > 0.0) {
-        return None;
-    }
     let [first, second] = if p >= q { [larger_rate, smaller_rate] } else { [smaller_rate, larger_rate] };
 
     // ±(1/2i) push e^{∓iΘ}(x + iy)/ρ: the imaginary parts.
