@@ -222,7 +222,10 @@ def test_drive_that_takes_energy_away_and_one_that_never_ends() -> None:
 
     assert amplitude(-1e-3).note == "the push takes energy away"
     assert amplitude(-1e-3).value == 0
-    assert amplitude(1.0).note == "beyond the length: it goes over the top, or breaks"
+    assert amplitude(1.0).note == "beyond the length: it pumps without end, and is not run"
+    pumped = kp.design(PENDULUM, 1.0, drag=kp.Drag(1e-4), drive=kp.Drive(1.0, phase=0.5))
+    assert pumped["Growth under the drive given"].check is None
+    assert pumped["Growth under the best push"].check is not None
 
 
 def test_passage_of_a_plane_swing() -> None:

@@ -31,6 +31,10 @@ REFUSED: list[tuple[dict[str, Any], str]] = [
     ({"site": kp.Site([0.8, 0.9])}, r"for one pendulum, but the site has the shape \(2,\); ask fo"),
     ({"drag": kp.Drag([0.0, 1e-4])}, "but the drag has the shape"),
     ({"wire": kp.Wire([1e-3, 2e-3])}, "but the wire has the shape"),
+    ({"drag": kp.Drag(1.0)}, "drag takes 1 1/s, more than 0.05 of the swing's 0.7004 rad/s: avera"),
+    ({"drag": kp.Drag(0.0, 1.0)}, "drag takes 0.297.* 1/s, more than 0.05"),
+    ({"suspension": kp.Suspension(-0.1)}, "anisotropy is 0.1 rad/s, more than .* kp.RealMotion"),
+    ({"suspension": kp.Suspension(0, 0, 0.1)}, "damping anisotropy is 0.1 1/s, more than 0.05"),
     ({"bob": kp.Bob(25.0, 8e3)}, "radius must be less than the length"),
 ]
 

@@ -51,6 +51,7 @@ class Case:
     def __post_init__(self) -> None:
         _refuse_ensembles(self)
         _refuse_numbers(self)
+        _refuse_heavy_losses(self)
         site = self.site
         if site is not None and site.gravity_given and float(site.gravity) != self.gravity:
             raise InvalidInput(
@@ -206,3 +207,25 @@ def _refuse_numbers(case: Case) -> None:
             f"The time after the closest approach must be finite and not negative, but it is "
             f"{case.time:.6g} s."
         )
+
+
+_MOST_LOSS = 0.05
+"""Of ω0: decay rates and anisotropies beyond it make no swing that lasts."""
+
+
+def _refuse_heavy_losses(case: Case) -> None:
+    stiff = damping = 0.0
+    if case.suspension is not None:
+        stiff = abs(float(case.suspension.anisotropy))
+        damping = abs(float(case.suspension.damping_anisotropy))
+    for name, rate, unit in (
+        ("drag takes", case.decay, "1/s"),
+        ("suspension's anisotropy is", stiff, "rad/s"),
+        ("suspension's damping anisotropy is", damping, "1/s"),
+    ):
+        if rate > _MOST_LOSS * case.omega:
+            raise InvalidInput(
+                f"The {name} {rate:.4g} {unit}, more than {_MOST_LOSS:g} of the swing's "
+                f"{case.omega:.4g} rad/s: averages over a swing, and so the builder's formulas, do "
+                "not hold; use kp.RealMotion."
+            )

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..parameters import Suspension
+from ..parameters import Drag, Suspension
 from . import _measured
 from ._case import Case
 
@@ -117,13 +117,15 @@ def is_run(case: Case, turn: HalfTurn) -> bool:
 
 
 def run(case: Case, turn: HalfTurn) -> Run | None:
-    """Follow the full equations, with the Earth and the one cause, without drag or drive."""
+    """Follow the full equations, with the Earth and the one cause, without a drive."""
     if not is_run(case, turn):
         return None
     # Uneven damping opens no ellipse, and one would turn by itself.
     b = case.b if turn.alone.anisotropy else 0.0
     launch = case.launch(b, turning=True)
-    motion = case.run(launch, site=True, suspension=turn.alone, fine=False)
+    # As much drag as it takes that no direction gains energy; it leaves the turning as it is.
+    drag = Drag(abs(float(turn.alone.damping_anisotropy)) / 2)
+    motion = case.run(launch, site=True, drag=drag, suspension=turn.alone, fine=False)
     moments = np.linspace(0.0, turn.duration, MOMENTS)
     course = _measured.Course.of(motion, case.swing, moments, case.worked)
     way = math.copysign(1.0, turn.fastest)

@@ -35,9 +35,10 @@ def turning_rate(motion: RealMotion, swing: float, swings: int = 10) -> float:
 
 
 def period(motion: RealMotion, swing: float) -> float:
-    """Time of one swing there and back, s, beginning at the first turning point on the far side."""
-    times = motion.events("outer", swing / 4, 1.9 * swing)
-    return float(times[2] - times[0])
+    """Time of one swing there and back, s: a mean over the first ones."""
+    times = motion.events("outer", swing / 4, 2.4 * swing)
+    span = float(times[-1] - times[0])
+    return span / (round(2 * span / swing) / 2)
 
 
 def amplitude(motion: RealMotion, at: float, swing: float) -> tuple[float, float]:

@@ -85,7 +85,9 @@ def _check(case: Case, expected: float) -> Check:
     motion = case.run(
         case.launch(case.b, turning=True), site=True, drag=True, suspension=True
     )  # fmt: skip
-    how = "RealMotion with all that is given but the drive: one swing, between turning points"
+    how = (
+        "RealMotion with all that is given but the drive: the first swings, between turning points"
+    )
     return Check(expected, _measured.period(motion, case.swing), how)
 
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from ..parameters import Drag, Drive
+from ..parameters import Drag, Drive, InvalidInput
 from . import _measured
 from ._answer import AVERAGED, SCHUMACHER, Answer, Check
 from ._case import Case
@@ -124,19 +124,7 @@ def _tried(name: str, push: Push) -> Iterator[Answer]:
     rate = intrinsic + push.turning
     growth = push.growth - case.decay
     where = f"{math.degrees(push.phase):.4g}°, {1e3 * push.size:.4g} mm/s, b = {b:.4g} m"
-    turning = growing = None
-    if case.checked:
-        # A plane swing loses as much by linear drag alone, and linear drag leaves b/a as it is.
-        drive = Drive(push.size, phase=push.phase)
-        drag = Drag(case.decay)
-        motion = case.run(case.launch(b, turning=False), drag=drag, drive=drive)
-        times, points = _measured.outer_points(motion, 0.25 * case.swing,
-                                               (_SWINGS + 0.75) * case.swing)  # fmt: skip
-        how = f"RealMotion with the drag as linear and this push: {_SWINGS} swings"
-        span = float(times[-1] - times[0])
-        turning = Check(rate, float(_measured.turned(points)[-1]) / span, how, intrinsic)
-        first, last = (math.hypot(*points[k]) for k in (0, -1))
-        growing = Check(growth, math.log(last / first) / span, how, case.decay)
+    turning, growing = _checks(push, rate, growth, intrinsic)
     note = f"φ = {where}; without a push {math.degrees(intrinsic) * 3600:.4g} °/h"
     formula = "(3/8) ω0 ab/l² − (p/πρ) ab/(a²−b²) cos 2φ"
     yield _answer(f"Turning under {name}", rate, "rad/s", formula, note, turning)
@@ -145,8 +133,32 @@ def _tried(name: str, push: Push) -> Iterator[Answer]:
     end = push.final_amplitude
     note = "the push takes energy away" if end == 0 else ""
     if end >= case.length:
-        note = "beyond the length: it goes over the top, or breaks"
+        note = "beyond the length: it pumps without end, and is not run"
     yield _answer(f"Amplitude under {name}", end, "m", "γa + ka² = p cos φ/π", note)
+
+
+def _checks(
+    push: Push, rate: float, growth: float, intrinsic: float
+) -> tuple[Check, Check] | tuple[None, None]:
+    """Of turning and growth; none for a push that RealMotion refuses, as it pumps without end."""
+    case = push.case
+    if not case.checked:
+        return None, None
+    # A plane swing loses as much by linear drag alone, and linear drag leaves b/a as it is.
+    drive, drag = Drive(push.size, phase=push.phase), Drag(case.decay)
+    try:
+        motion = case.run(case.launch(push.b, turning=False), drag=drag, drive=drive)
+        times, points = _measured.outer_points(
+            motion, 0.25 * case.swing, (_SWINGS + 0.75) * case.swing
+        )
+    except InvalidInput:
+        return None, None
+    how = f"RealMotion with the drag as linear and this push: {_SWINGS} swings"
+    span = float(times[-1] - times[0])
+    first, last = (math.hypot(*points[k]) for k in (0, -1))
+    turned = float(_measured.turned(points)[-1]) / span
+    grown = math.log(last / first) / span
+    return Check(rate, turned, how, intrinsic), Check(growth, grown, how, case.decay)
 
 
 def _answer(
