@@ -154,6 +154,16 @@ def test_without_the_earth_no_pace_is_named(call, write) -> None:
     assert not re.search("hurries|lags|stalls|alone would", said)
 
 
+def test_forces_too_strong_to_average_are_told_with_their_error(call, write) -> None:
+    tables = {**REAL, "suspension": {"anisotropy": "0.05 rad/s", "axis": "30 deg"}}
+    outcome = call("run", write(**tables))
+    assert outcome.code == 0
+    results = json.loads(Path("out/job/results.json").read_text(encoding="utf-8"))
+    caution = results["averaged_equations"]["caution"]
+    assert re.search(r"anisotropy changes a swing by 0\.0\d+ of itself.*off by 0\.0", caution)
+    assert "much for an averaged motion" in outcome.out.replace("\n", " ")
+
+
 def test_blocks_are_seamless(call, write, monkeypatch: pytest.MonkeyPatch) -> None:
     from kugelpendel.cli import _record
 
