@@ -154,6 +154,16 @@ def test_without_the_earth_no_pace_is_named(call, write) -> None:
     assert not re.search("hurries|lags|stalls|alone would", said)
 
 
+def test_forces_too_strong_to_average_are_told_with_their_error(call, write) -> None:
+    tables = {**REAL, "suspension": {"anisotropy": "0.05 rad/s", "axis": "30 deg"}}
+    outcome = call("run", write(**tables))
+    assert outcome.code == 0
+    results = json.loads(Path("out/job/results.json").read_text(encoding="utf-8"))
+    caution = results["averaged_equations"]["caution"]
+    assert re.search(r"anisotropy changes a swing by 0\.0\d+ of itself.*off by 0\.0", caution)
+    assert "much for an averaged motion" in outcome.out.replace("\n", " ")
+
+
 def test_blocks_are_seamless(call, write, monkeypatch: pytest.MonkeyPatch) -> None:
     from kugelpendel.cli import _record
 
@@ -245,6 +255,13 @@ def test_interrupted_tracks_are_whole(
     assert 50 < len(table) < 601
     assert_allclose(table[:, 0], times, rtol=0, atol=0)
     assert_allclose(table[:, 1:4], motion().position(times), rtol=0, atol=0)
+
+
+def test_an_interrupted_job_goes_beside_its_folder() -> None:
+    from kugelpendel.cli._real import _aside
+
+    assert _aside(Path("out/job")) == Path("out/job-interrupted")
+    assert _aside(Path()) == Path("interrupted")
 
 
 def test_second_interruption_leaves_at_once(monkeypatch: pytest.MonkeyPatch) -> None:

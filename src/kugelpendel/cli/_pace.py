@@ -63,9 +63,10 @@ def describe_pace(shares: Shares, ideal: float) -> list[str]:
         if same:
             time = sum(stretch.stop - stretch.start for stretch in same)
             longest = max(same, key=lambda stretch: stretch.stop - stretch.start)
+            share = f"{100 * time / whole:.0f} %" if time > whole / 100 else "less than 1 %"
             times = "once" if len(same) == 1 else f"{len(same)} times"
             lines.append(
-                f"The plane {pace} {times}, {100 * time / whole:.0f} % of the time; longest "
+                f"The plane {pace} {times}, {share} of the time; longest "
                 f"{_when(longest)}, {_by(longest)}."
             )
     return lines

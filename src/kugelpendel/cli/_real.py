@@ -66,13 +66,12 @@ def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
     """
     motion = real_motion(job)
     track = FILES[job.format]
-    with staged(target, _FILES) as temporary:
-        with Wish() as wish:
-            seen = _follow(job, temporary / track, wish)
+    with staged(target, _FILES) as temporary, Wish() as wish:
+        seen = _follow(job, temporary / track, wish)
         found = find(job.setup, job.launch, motion, seen)
         files = [track]
         if seen.stopped:
-            _keep(job, found, temporary, target.with_name(f"{target.name}-interrupted"))
+            _keep(job, found, temporary, _aside(target))
         if job.figure and len(seen.course.times) > 1:
             figure = plot.day(motion, seen.course, found.shares, f"{title}: {describe_launch(job)}")
             plot.save(figure, temporary / FIGURE)
@@ -131,6 +130,11 @@ def _keep(job: Job, found: Findings, temporary: Path, folder: Path) -> None:
         f"interrupted after {spell(seen.until, 's', 3)} of {spell(job.grid.duration, 's', 3)}; "
         f"in {folder}: {', '.join(_named(seen, [track]))}."
     )
+
+
+def _aside(target: Path) -> Path:
+    """Where an interrupted job goes: beside its folder, or into it if that is the present one."""
+    return target.with_name(f"{target.name}-interrupted") if target.name else target / "interrupted"
 
 
 def _named(seen: Record, files: list[str]) -> list[str]:
