@@ -180,6 +180,17 @@ class TestDrag:
         mean = a / (1 + 4 / (3 * np.pi) * c * OMEGA * a * times)
         np.testing.assert_allclose(reached, mean, rtol=3e-4)
 
+    @pytest.mark.parametrize("a", [0.004, 0.13, 1.7])
+    @pytest.mark.parametrize("b", [0.0, 1e-13])
+    def test_every_turning_point_is_found(self, a: float, b: float) -> None:
+        """Where the steps of quadratic drag have their ends."""
+        launch = kp.Launch.ellipse(a, b)
+        motion = kp.RealMotion(HALL, launch, drag=kp.Drag(0.0, 0.03))
+        half = kp.ExactMotion(HALL, launch).radial_period
+        times = motion.events("outer", half / 2, 40.3 * half)
+        np.testing.assert_allclose(np.diff(times), half, rtol=0.05)
+        assert times.size in (40, 41)  # the period shortens as the swing fades
+
     @pytest.mark.parametrize("b", [0.0, 1e-7, 1e-4, 1e-2])
     def test_quadratic_by_energy(self, b: float) -> None:
         """What is lost is the work of the drag: d(energy)/dt = −c|v|³."""
@@ -245,6 +256,7 @@ def test_bob_changes_the_gravity_that_acts() -> None:
     bob = kp.Bob(radius=0.1, density=8000.0)
     motion = kp.RealMotion(HALL, kp.Launch.ellipse(1e-5, 0.0), bob=bob)
     factor = float(np.asarray(bob.gravity_factor(HALL.length)))
+    assert motion.tension(0.0) == pytest.approx(9.81, rel=1e-9)  # of 1 kg that hangs still
     assert motion.angular_frequency == pytest.approx(OMEGA * np.sqrt(factor), rel=1e-15)
     times = motion.events("outer", 0.0, 300.0)
     period = 2 * (times[-1] - times[0]) / (times.size - 1)

@@ -17,8 +17,8 @@ const STILL: f64 = 1e-9;
 /// A slowest point that is no slower than this, against the step's start, is no turning point to quadratic drag.
 const SLOW: f64 = 0.1;
 
-/// Turning points so close to the step's start may lie within it: what drag does in so short a time, near rest, is lost in
-/// rounding too.
+/// A step may go so far beyond a turning point, and does, so that the events there lie within it: what drag does in so short
+/// a time, near rest, is lost in rounding too.
 const AT_ONCE: f64 = 1e-6;
 
 /// Where a step has to end for quadratic drag: where the bob is slowest. In a plane swing the series of |v| goes on
@@ -27,7 +27,8 @@ const AT_ONCE: f64 = 1e-6;
 pub(crate) fn turning_point<A: Arithmetic>(series: &Series, size: f64) -> Option<f64> {
     let at = first::<A>(&Quickening(series, size.signum()), size, true)?;
     let slowest = horner::<A, _>(&series.speed_squared, ORDER, at);
-    (at.abs() > AT_ONCE && slowest < SLOW * SLOW * series.speed_squared[0]).then_some(at)
+    (at.abs() > AT_ONCE && slowest < SLOW * SLOW * series.speed_squared[0])
+        .then_some(at + 0.5 * AT_ONCE * size.signum())
 }
 
 /// The forces without dimensions, as matrices on r and v.

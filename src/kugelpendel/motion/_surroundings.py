@@ -78,11 +78,15 @@ class Surroundings:
 
     @cached_property
     def effective_pendulum(self) -> Pendulum:
-        """The point mass that moves like this bob: its gravity takes in buoyancy and inertia."""
+        """The point mass that moves like this bob: its gravity takes in buoyancy and inertia.
+
+        Its weight is that of the bob, so that the thread's pull is right but for buoyancy.
+        """
         if self.bob is None:
             return self.pendulum
         length, gravity, mass = self.pendulum.values
-        return Pendulum(length, np.multiply(gravity, self.bob.gravity_factor(length)), mass)
+        factor = self.bob.gravity_factor(length)
+        return Pendulum(length, np.multiply(gravity, factor), np.divide(mass, factor))
 
     @property
     def acts(self) -> bool:
