@@ -186,7 +186,7 @@ class TestDrag:
         """Where the steps of quadratic drag have their ends."""
         launch = kp.Launch.ellipse(a, b)
         motion = kp.RealMotion(HALL, launch, drag=kp.Drag(0.0, 0.03))
-        half = kp.ExactMotion(HALL, launch).radial_period
+        half = float(kp.ExactMotion(HALL, launch).radial_period)
         times = motion.events("outer", half / 2, 40.3 * half)
         np.testing.assert_allclose(np.diff(times), half, rtol=0.05)
         assert times.size in (40, 41)  # the period shortens as the swing fades
