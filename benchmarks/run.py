@@ -14,7 +14,7 @@ import time
 from pathlib import Path
 
 TOPICS = (
-    "sampling", "scattered", "ensembles", "real", "ladder", "series", "peers", "startup"
+    "sampling", "scattered", "ensembles", "real", "envelope", "ladder", "series", "peers", "startup"
 )  # fmt: skip
 THREADS = (
     "RAYON_NUM_THREADS",

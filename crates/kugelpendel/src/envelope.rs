@@ -33,6 +33,9 @@ const LARGEST: f64 = 0.9999;
 /// swings (benchmarks/envelope.py).
 const MOST: f64 = 0.1;
 
+/// Steps in which an end of the motion is looked for.
+const MOST_STEPS: usize = 5000;
+
 /// From where, and under which forces.
 #[derive(Clone, Debug)]
 pub struct EnvelopeMotion {
@@ -153,14 +156,17 @@ impl EnvelopeMotion {
         self.law.strengths(p + q)
     }
 
-    /// The times in s between which the motion holds, looked for up to `within` s to both sides.
+    /// The times in s between which the motion holds, looked for up to `within` s and some thousand steps to both sides.
     pub fn span(&self, within: f64) -> [f64; 2] {
         [-1.0, 1.0].map(|direction| {
-            if self.law.is_ideal() {
+            if self.law.is_conservative() {
                 return direction * f64::INFINITY;
             }
             let mut walk = Walk::new(&self.law, &self.start, direction);
-            while !walk.ended && walk.until().abs() < within * self.omega0 {
+            for _ in 0..MOST_STEPS {
+                if walk.ended || walk.until().abs() >= within * self.omega0 {
+                    break;
+                }
                 walk.advance(&self.law);
             }
             if walk.ended { walk.until() / self.omega0 } else { direction * f64::INFINITY }

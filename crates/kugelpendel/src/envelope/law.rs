@@ -214,8 +214,8 @@ impl Law {
         [self.drag[0] * self.drag[0], self.drag[1] * a, size(self.stiff), size(self.lossy), push]
     }
 
-    /// Whether no amplitude can reach the support from below it: nothing acts but what turns the motion.
-    pub(super) fn is_ideal(&self) -> bool {
-        self.drag == [0.0; 2] && self.stiff == [0.0; 2] && self.lossy == [0.0; 2] && self.drive == Drive::Absent
+    /// Whether nothing adds energy to the swing or takes it away: then no time brings it to the support.
+    pub(super) fn is_conservative(&self) -> bool {
+        self.drag == [0.0; 2] && self.lossy == [0.0; 2] && self.drive == Drive::Absent
     }
 }
