@@ -218,14 +218,14 @@ def test_shares_add_up_to_the_rate_of_the_azimuth(
         drag=kp.Drag(1e-4, 1e-4),
         suspension=kp.Suspension(delta, 0.5, loss, 1.0),
     )
-    t, h = 500.0, 2.0
+    t, h = 500.0, 0.2  # wide ellipses turn by 0.1 rad/s
     rates = mean.rates(t)
     before, after = mean.semi_axes([t - h, t + h])
     assert mean.azimuth(t + h) - mean.azimuth(t - h) == pytest.approx(
         2 * h * rates.total, rel=1e-4, abs=1e-8
     )
     grown = np.stack([rates.outer, rates.inner])
-    assert_allclose((after - before) / (2 * h), grown, rtol=1e-3, atol=1e-9)
+    assert_allclose((after - before) / (2 * h), grown, rtol=1e-3, atol=2e-9)
     assert mean.semi_axes(t)[0] >= abs(mean.semi_axes(t)[1])
 
 

@@ -239,14 +239,15 @@ impl EnvelopeMotion {
         let (sin, cos) = (PI * start.hi + phase).sin_cos();
         let shape = chart.at_any::<true>(cos, sin);
         let (sin, cos) = (azimuth + std::f64::consts::TAU * turn).sin_cos();
-        let [x, y] = product::<Portable>([cos, sin], [shape.x, shape.y]);
-        let depth = 1.0 - shape.height;
+        let [x, y] = product::<Portable>([cos, sin], [shape.unit * shape.x, shape.unit * shape.y]);
+        let depth = 1.0 - shape.unit * shape.height;
         match quantity {
             Quantity::Position => [length * x, length * y, length * depth],
             Quantity::Velocity => {
                 let swing = motion.frequency();
                 let turning = motion.precession();
-                let rate = [swing * shape.x_rate - turning * shape.y, swing * shape.y_rate + turning * shape.x];
+                let rate = [swing * shape.x_rate - turning * shape.y, swing * shape.y_rate + turning * shape.x]
+                    .map(|value| shape.unit * value);
                 let [vx, vy] = product::<Portable>([cos, sin], rate);
                 let [added_x, added_y] = slow_velocity(&self.law, moment, time);
                 let [vx, vy] = [vx + added_x, vy + added_y];
