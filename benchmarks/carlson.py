@@ -1,6 +1,6 @@
 """Frequency and precession of many pendulums from SciPy's elliprf and elliprj.
 
-Lengths in l, times in 1/ω0 (physics.md §3). Both complete integrals of the third kind are written
+Lengths in l, times in 1/ω0. Both complete integrals of the third kind are written
 with positive terms only; what stays is ΔΦ - π.
 """
 

@@ -28,7 +28,7 @@ def rj(x: arb, y: arb, z: arb, p: arb) -> arb:
 
 @dataclass(frozen=True)
 class Apsides:
-    """Period and precession from the heights of the turning points and λ > 0 (physics.md §3)."""
+    """Period and precession from the heights of the turning points and λ > 0."""
 
     high: arb
     low: arb

@@ -139,7 +139,7 @@ TOLD = {
 def test_pantheon_says_how_fast_the_ellipse_turns(call, repository: Path) -> None:
     results = call("run", repository / "examples/pantheon.toml", "--json").results
     assert results["motion"]["regime"] == "ellipse"
-    # 3/8·ω0·ab/l² with the small-amplitude correction of physics.md, 7/32·a²/l² of it.
+    # 3/8·ω0·ab/l² with the small-amplitude correction 7/32·a²/l² of it.
     assert results["formula_25"]["difference_percent"] == pytest.approx(-0.0439, abs=5e-4)
     assert results["motion"]["precession_deg_per_h"] == pytest.approx(0.1978, abs=5e-5)
 

@@ -87,7 +87,7 @@ def test_results(call, write) -> None:
     )
     assert 0 < swing["largest_b_m"] < 0.01
     least, most = results["tension"]["least_N"], results["tension"]["most_N"]
-    weight = float(motion().pendulum.mass * motion().effective_pendulum.gravity)
+    weight = float(motion().pendulum.mass * motion().pendulum.gravity)
     assert least == pytest.approx(weight * math.sqrt(1 - 0.04**2), rel=1e-6)
     assert most == pytest.approx(weight * (3 - 2 * math.sqrt(1 - 0.04**2)), rel=1e-4)
     assert results["output"]["samples"] == 601

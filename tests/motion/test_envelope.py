@@ -57,7 +57,7 @@ class TestPantheon:
 
 
 def test_numbers_of_a_laboratory_pendulum() -> None:
-    """physics.md §5: after 6 h the full equations give (0.07360213, 0.0255412, −2.28416707).
+    """After 6 h the full equations give (0.07360213, 0.0255412, −2.28416707).
 
     Let go at rest, g = 9.81; where in its swing that ellipse was taken is not known: 1e-4 of a.
     """
@@ -122,7 +122,7 @@ class TestOneForceAtATime:
         self.follows(1e-5, site=site)
 
     def test_let_go_at_rest_on_the_turning_earth(self) -> None:
-        """b = a Ω_z/ω0, so that ψ' = −Ω_z (1 − 3a²/8l²): physics.md §5."""
+        """b = a Ω_z/ω0, so that ψ' = −Ω_z (1 − 3a²/8l²) (docs/conventions.md)."""
         a, turn = 0.1, float(PARIS.vertical_rotation)
         mean = kp.EnvelopeMotion(PENDULUM, kp.Launch.plane(a, 0.0, 0.0, 0.0), site=PARIS)
         assert mean.semi_axes(0.0)[1] == pytest.approx(a * turn / OMEGA0, rel=2e-3)
@@ -180,7 +180,7 @@ class TestOneForceAtATime:
         self.follows(1e-3, drag=kp.Drag(1e-4), drive=kp.Drive(2e-5, **drive))
 
     def test_a_push_at_the_right_phase_cancels_the_intrinsic_precession(self) -> None:
-        """Tan 2φ = 8l²/(3Qa²): physics.md §5."""
+        """Tan 2φ = 8l²/(3Qa²) (docs/conventions.md)."""
         a, quality = 0.1, 2000.0
         drag = kp.Drag(OMEGA0 / (2 * quality))
         phase = 0.5 * math.atan(8 * 1.3**2 / (3 * quality * a**2))

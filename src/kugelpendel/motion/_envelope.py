@@ -118,7 +118,7 @@ class EnvelopeMotion(Surrounded):
     Semi-axes are the turning radii of the mean motion: that whose place and rate of place at t = 0
     are those of the launch. What is left out is of second order in the forces, and for quadratic
     drag, the suspension and the drive of relative order (a/l)²; `trust` has the numbers.
-    Sources: physics of the averages in docs/conventions.md; Olsson (1981), eq. (25), (26).
+    Sources: the averages are in docs/conventions.md; Olsson (1981), eq. (25), (26).
     """
 
     def __init__(

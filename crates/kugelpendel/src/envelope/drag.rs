@@ -1,7 +1,7 @@
 //! Quadratic drag on a small elliptical swing, averaged: complete elliptic integrals by the arithmetic-geometric mean.
 //!
 //! With σ = √(p² + q² − 2pq cos 2Θ), the speed over ω0: p'/p = −(cω0/2)(H + q²G), q'/q = −(cω0/2)(H + p²G), where
-//! H = ⟨σ⟩ and G = ⟨sin² 2Θ/σ⟩: the averages ⟨σ sin²⟩, ⟨σ cos²⟩ of physics.md §5 in the circular amplitudes, regular
+//! H = ⟨σ⟩ and G = ⟨sin² 2Θ/σ⟩: the averages ⟨σ sin²⟩, ⟨σ cos²⟩ of docs/conventions.md in the circular amplitudes, regular
 //! on the circle and in the plane. With A the larger of p, q and k the smaller over it, ∫ over a turn gives
 //! ⟨σ⟩ = (2A/π)(2E(k) − (1 − k²)K(k)) and ⟨sin² 2Θ/σ⟩ = (2/3πAk²)(2k²K − (1 + k²)(K − E)); K − E from the mean's
 //! own sums (DLMF 19.8). Air that turns with Ω blows with iΩ(x + iy): ±(cΩ/2)(H − q²G), ±(cΩ/2)(H − p²G).

@@ -17,7 +17,7 @@ pub(super) struct Ideal {
 }
 
 impl Ideal {
-    /// The first-order brackets, Olsson's (25) and (26); physics.md §5.
+    /// The first-order brackets, Olsson's (25) and (26).
     pub(super) fn bracketed(p: f64, q: f64) -> Self {
         let (p2, q2) = (p * p, q * q);
         Self { frequency: 1.0 - 0.125 * (p2 + q2), precession: 0.375 * (p2 - q2), decay: [-1.0; 2] }

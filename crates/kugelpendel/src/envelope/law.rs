@@ -3,8 +3,7 @@
 //! x + iy = A₊ + A₋ with A± = B± e^{±iΦ}, a = |B₊| + |B₋|, b = |B₊| − |B₋|: the two circular amplitudes and their fast
 //! phase. What is common to both is a quadrature of its own as well, B± = C± e^{−Γ + iΨ}, so that C± do not change at
 //! all for the ideal motion under linear drag on a turning ground. Dimensionless: lengths in l, time in 1/ω0.
-//! Source: physics.md §5, there in the singular a, b, ψ; its Θ' is given the mean frequency shift δ/2 here, and drag is
-//! that of air which turns with the ground.
+//! In the singular a, b, ψ the same equations are in docs/conventions.md; drag is that of air which turns with the ground.
 
 use super::drag::Quadratic;
 use super::ideal::Ideal;

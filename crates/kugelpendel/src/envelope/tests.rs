@@ -107,7 +107,7 @@ fn quadratic_drag_is_the_average_of_the_textbook() {
 
 #[test]
 fn quadratic_drag_in_the_plane() {
-    // −(4/3π)cω0 a² and −(2/3π)cω0 ab, physics.md §5.
+    // −(4/3π)cω0 a² and −(2/3π)cω0 ab, docs/conventions.md.
     for b in [0.0, 1e-9] {
         let (a, pi) = (0.3, std::f64::consts::PI);
         let (p, q) = (0.5 * (a + b), 0.5 * (a - b));
