@@ -1,13 +1,13 @@
 //! Averaged motions: flat arrays in, flat arrays out.
 
-use crate::real::{drive, forces};
+use crate::real::{drive, forces, lock, problems};
 use crate::{Columns, Numbers, launcher, new_array};
 use kugelpendel::{Envelope, EnvelopeMotion, EnvelopeWalks, Invalid, Pendulum, Quantity};
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
-use std::sync::{Mutex, PoisonError};
+use std::sync::Mutex;
 
 /// Motions in a row, each with how far it has been integrated.
 #[pyclass(frozen, module = "kugelpendel._core")]
@@ -53,8 +53,7 @@ impl EnvelopeMotions {
 
     /// Index and sentence of each bad case.
     fn problems(&self) -> Vec<(usize, String)> {
-        let bad = |(index, motion): (usize, &Result<_, Invalid>)| Some((index, motion.as_ref().err()?.to_string()));
-        self.motions.iter().enumerate().filter_map(bad).collect()
+        problems(&self.motions)
     }
 
     /// "position", "velocity", "semi_axes", "azimuth", "phase" or "rates", and when each motion has ended before one of
@@ -80,7 +79,7 @@ impl EnvelopeMotions {
         let row = |index: usize, row: &mut [f64], end: &mut f64| {
             row.fill(f64::NAN);
             let Ok(motion) = &self.motions[index] else { return };
-            let mut walks = self.walks[index].lock().unwrap_or_else(PoisonError::into_inner);
+            let mut walks = lock(&self.walks[index]);
             if let Err(time) = motion.fill(what, times, row, &mut walks) {
                 *end = time;
             }

@@ -79,8 +79,7 @@ impl RealMotions {
 
     /// Index and sentence of each bad case.
     fn problems(&self) -> Vec<(usize, String)> {
-        let bad = |(index, motion): (usize, &Result<_, Invalid>)| Some((index, motion.as_ref().err()?.to_string()));
-        self.motions.iter().enumerate().filter_map(bad).collect()
+        problems(&self.motions)
     }
 
     /// Positions and when each motion has ended before the last of the times, NaN where it has not.
@@ -162,7 +161,13 @@ impl Signal {
     }
 }
 
-fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+/// Index and sentence of each bad case.
+pub(crate) fn problems<M>(motions: &[Result<M, Invalid>]) -> Vec<(usize, String)> {
+    let bad = |(index, motion): (usize, &Result<M, Invalid>)| Some((index, motion.as_ref().err()?.to_string()));
+    motions.iter().enumerate().filter_map(bad).collect()
+}
+
+pub(crate) fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
 }
 

@@ -21,7 +21,7 @@ use crate::invalid::{Invalid, require};
 use crate::launch::Launch;
 use crate::pendulum::Pendulum;
 use crate::shape::product;
-use crate::times::{Quantity, Times};
+use crate::times::{Quantity, Times, both_ways};
 use law::{Circles, Law};
 use std::f64::consts::{FRAC_PI_2, PI};
 use steps::{Moment, Walk};
@@ -139,14 +139,7 @@ impl EnvelopeMotion {
     /// If times and `out` do not have the same count.
     pub fn fill(&self, what: Envelope, times: &[f64], out: &mut [f64], walks: &mut EnvelopeWalks) -> Result<(), f64> {
         assert_eq!(what.width() * times.len(), out.len(), "so many numbers to a time");
-        if times.is_sorted() && times.first().is_some_and(|first| *first >= 0.0) {
-            return self.sweep(0, 0..times.len(), what, times, out, walks);
-        }
-        let mut order: Vec<usize> = (0..times.len()).collect();
-        order.sort_by(|a, b| times[*a].total_cmp(&times[*b]));
-        let (behind, ahead) = order.split_at(order.partition_point(|index| times[*index] < 0.0));
-        let ahead = self.sweep(0, ahead.iter().copied(), what, times, out, walks);
-        ahead.and(self.sweep(1, behind.iter().rev().copied(), what, times, out, walks))
+        both_ways(times, |side, order| self.sweep(side, order, what, times, out, walks))
     }
 
     /// By which share of itself each force changes a swing of the launch's size: linear and quadratic drag, the
@@ -176,7 +169,7 @@ impl EnvelopeMotion {
     fn sweep(
         &self,
         side: usize,
-        order: impl Iterator<Item = usize>,
+        order: &mut dyn Iterator<Item = usize>,
         what: Envelope,
         times: &[f64],
         out: &mut [f64],

@@ -5,7 +5,7 @@ use crate::equations::Equation;
 use crate::events::{Guard, first};
 use crate::pendulum::Pendulum;
 use crate::taylor::{FINEST, Law, Point, Series};
-use crate::times::Quantity;
+use crate::times::{Quantity, both_ways};
 
 /// From where, and by which law; every request is integrated afresh from t = 0, so nothing is kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,12 +28,7 @@ impl IntegratedMotion {
     /// If times and `out` do not have the same count.
     pub fn fill(&self, quantity: Quantity, times: &[f64], out: &mut [f64]) -> Result<(), f64> {
         assert_eq!(3 * times.len(), out.len(), "three numbers to a time");
-        let mut order: Vec<usize> = (0..times.len()).collect();
-        order.sort_by(|a, b| times[*a].total_cmp(&times[*b]));
-        let first_ahead = order.partition_point(|index| times[*index] < 0.0);
-        let (behind, ahead) = order.split_at(first_ahead);
-        let ahead = self.sweep(1.0, ahead.iter(), quantity, times, out);
-        ahead.and(self.sweep(-1.0, behind.iter().rev(), quantity, times, out))
+        both_ways(times, |side, order| self.sweep([1.0, -1.0][side], order, quantity, times, out))
     }
 
     /// The times in s between which the motion holds, given that it meets the support's level within `period`.
@@ -60,10 +55,10 @@ impl IntegratedMotion {
         Step { equation: self.equation, direction, start: 0.0, size: 0.0, series: Series::ZERO, next, last: false }
     }
 
-    fn sweep<'a>(
+    fn sweep(
         &self,
         direction: f64,
-        order: impl Iterator<Item = &'a usize>,
+        order: &mut dyn Iterator<Item = usize>,
         quantity: Quantity,
         times: &[f64],
         out: &mut [f64],
@@ -73,7 +68,7 @@ impl IntegratedMotion {
         if !next(&mut step) {
             return Err(0.0);
         }
-        for &index in order {
+        for index in order {
             let time = times[index] * omega0;
             while (time - step.start).abs() > step.size.abs() {
                 let end = step.start + step.size;

@@ -10,7 +10,7 @@ use crate::launch::Launch;
 use crate::pendulum::Pendulum;
 use crate::sphere::Sphere;
 use crate::taylor::{FINEST, Point};
-use crate::times::{Quantity, Times};
+use crate::times::{Quantity, Times, both_ways};
 use crate::walk::Walk;
 
 /// From where, and under which forces.
@@ -154,21 +154,13 @@ impl RealMotion {
         stop: Stop<'_>,
         mut take: impl FnMut(&Walk, f64, usize),
     ) -> Result<(), Halt> {
-        if times.is_sorted() && times.first().is_some_and(|first| *first >= 0.0) {
-            return self.sweep(0, 0..times.len(), times, walks, stop, &mut take);
-        }
-        let mut order: Vec<usize> = (0..times.len()).collect();
-        order.sort_by(|a, b| times[*a].total_cmp(&times[*b]));
-        let first_ahead = order.partition_point(|index| times[*index] < 0.0);
-        let (behind, ahead) = order.split_at(first_ahead);
-        let ahead = self.sweep(0, ahead.iter().copied(), times, walks, stop, &mut take);
-        ahead.and(self.sweep(1, behind.iter().rev().copied(), times, walks, stop, &mut take))
+        both_ways(times, |side, order| self.sweep(side, order, times, walks, stop, &mut take))
     }
 
     fn sweep(
         &self,
         side: usize,
-        mut order: impl Iterator<Item = usize>,
+        order: &mut dyn Iterator<Item = usize>,
         times: &[f64],
         walks: &mut Walks,
         stop: Stop<'_>,

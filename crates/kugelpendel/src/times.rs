@@ -47,3 +47,23 @@ impl Times<'_> {
         }
     }
 }
+
+/// Hands the indices of the times to a sweep that goes forwards from t = 0 (side 0) and to one that goes backwards
+/// (side 1), each in its order.
+///
+/// # Errors
+/// The first of the two.
+pub(crate) fn both_ways<E>(
+    times: &[f64],
+    mut sweep: impl FnMut(usize, &mut dyn Iterator<Item = usize>) -> Result<(), E>,
+) -> Result<(), E> {
+    // Times in order need no list of their indices, which would take as much memory as they do.
+    if times.is_sorted() && times.first().is_some_and(|first| *first >= 0.0) {
+        return sweep(0, &mut (0..times.len()));
+    }
+    let mut order: Vec<usize> = (0..times.len()).collect();
+    order.sort_by(|a, b| times[*a].total_cmp(&times[*b]));
+    let (behind, ahead) = order.split_at(order.partition_point(|index| times[*index] < 0.0));
+    let ahead = sweep(0, &mut ahead.iter().copied());
+    ahead.and(sweep(1, &mut behind.iter().rev().copied()))
+}
