@@ -45,7 +45,7 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[webdriver.Chro
 @pytest.fixture(scope="module", params=["de", "en"])
 def page(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("page") / f"derivation.{request.param}.html"
-    path.write_text(paper.document(request.param, "html"), encoding="utf-8")
+    path.write_text(paper.write(request.param, "html"), encoding="utf-8")
     return path
 
 

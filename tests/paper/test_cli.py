@@ -59,7 +59,7 @@ def test_html_has_a_file_by_default(call: Any, tmp_path: Path) -> None:
 
 
 def test_markdown_without_a_file(call: Any) -> None:
-    assert call("3", "--format", "md").out == paper.document("en", "md", "3")
+    assert call("3", "--format", "md").out == paper.write("en", "md", "3")
 
 
 @pytest.mark.parametrize(

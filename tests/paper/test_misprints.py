@@ -3,9 +3,9 @@
 import pytest
 
 from kugelpendel import paper
-from kugelpendel.paper._dimensions import is_homogeneous
-from kugelpendel.paper._graph import premises
-from kugelpendel.paper._notation import read
+from kugelpendel.paper.algebra.dimensions import is_homogeneous
+from kugelpendel.paper.algebra.notation import read
+from kugelpendel.paper.derivation.graph import premises
 
 DISPLAYED = [one for one in paper.MISPRINTS if not one.in_words and one.kind != "word"]
 

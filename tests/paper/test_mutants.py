@@ -5,9 +5,9 @@ import random
 import pytest
 
 from kugelpendel import paper
-from kugelpendel.paper._check import says_the_same, verdict
-from kugelpendel.paper._graph import premises
-from kugelpendel.paper._mutants import mutants
+from kugelpendel.paper.checks.run import says_the_same, verdict
+from kugelpendel.paper.derivation.graph import premises
+from kugelpendel.paper.proofs.mutants import mutants
 
 LABELS = [formula.label for formula in paper.FORMULAS]
 
@@ -54,9 +54,9 @@ def test_a_weak_proof_lets_mutants_survive() -> None:
     """The test of the test: a proof that looks at the left side only is found out."""
     from dataclasses import replace
 
-    from kugelpendel.paper._numeric import in_world
-    from kugelpendel.paper._proofs import Proof
-    from kugelpendel.paper._worlds import kinematic
+    from kugelpendel.paper.proofs.numeric import in_world
+    from kugelpendel.paper.proofs.symbolic import Proof
+    from kugelpendel.paper.proofs.worlds import kinematic
 
     def blind(relation, _):
         return [relation.lhs - relation.lhs]

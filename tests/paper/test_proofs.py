@@ -6,13 +6,13 @@ import pickle
 import pytest
 
 from kugelpendel import paper
-from kugelpendel.paper._algebra import Add, cos, sin, sqrt
-from kugelpendel.paper._calculus import is_constant_multiple, is_zero
-from kugelpendel.paper._dimensions import is_homogeneous
-from kugelpendel.paper._graph import premises
-from kugelpendel.paper._notation import NotationError, read
-from kugelpendel.paper._proofs import Premises
-from kugelpendel.paper._symbols import a, b, l, omega, rho, t, theta, x
+from kugelpendel.paper.algebra.calculus import is_constant_multiple, is_zero
+from kugelpendel.paper.algebra.dimensions import is_homogeneous
+from kugelpendel.paper.algebra.notation import NotationError, read
+from kugelpendel.paper.algebra.symbols import a, b, l, omega, rho, t, theta, x
+from kugelpendel.paper.algebra.sympy_names import Add, cos, sin, sqrt
+from kugelpendel.paper.derivation.graph import premises
+from kugelpendel.paper.proofs.symbolic import Premises
 
 LABELS = [formula.label for formula in paper.FORMULAS]
 NUMBERS = [

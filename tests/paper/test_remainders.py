@@ -3,11 +3,11 @@
 import pytest
 
 from kugelpendel import paper
-from kugelpendel.paper._algebra import sqrt
-from kugelpendel.paper._calculus import EPS, is_zero, taylor
-from kugelpendel.paper._numeric import measured_order
-from kugelpendel.paper._symbols import a, b, l, omega0
-from kugelpendel.paper._worlds import balanced, dynamic, ellipse
+from kugelpendel.paper.algebra.calculus import EPS, is_zero, taylor
+from kugelpendel.paper.algebra.symbols import a, b, l, omega0
+from kugelpendel.paper.algebra.sympy_names import sqrt
+from kugelpendel.paper.proofs.numeric import measured_order
+from kugelpendel.paper.proofs.worlds import balanced, dynamic, ellipse
 
 REMAINDERS = {one.label: one for one in paper.remainders()}
 WORLDS = {

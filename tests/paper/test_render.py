@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 
 from kugelpendel import paper
-from kugelpendel.paper import _mathml, _plain, _source
-from kugelpendel.paper._difference import difference
-from kugelpendel.paper._tex import Marked, Row, UnknownTeX, read
+from kugelpendel.paper.typeset import latex, mathml, unicode
+from kugelpendel.paper.typeset.difference import difference
+from kugelpendel.paper.typeset.tex import Marked, Row, UnknownTeX, read
 
 LANGUAGES = ("de", "en")
 FORMS = ("html", "md", "latex", "text")
@@ -22,7 +22,7 @@ VOID = {"meta", "link", "br", "wbr"}
 
 @cache
 def document(language: str, form: str, target: str = "") -> str:
-    return paper.document(language, form, target)
+    return paper.write(language, form, target)
 
 
 def squeezed(text: str) -> str:
@@ -35,16 +35,16 @@ def squeezed(text: str) -> str:
 def test_every_formula_stands_in_every_document(language: str, form: str) -> None:
     text = squeezed(document(language, form))
     writes = {
-        "html": lambda tex: _mathml.written(difference(tex, tex)[1]),
-        "md": lambda tex: _source.display(tex, 70),
-        "latex": lambda tex: _source.display(tex, 62),
-        "text": lambda tex: "\n".join(_plain.broken(tex, 68)),
+        "html": lambda tex: mathml.written(difference(tex, tex)[1]),
+        "md": lambda tex: latex.display(tex, 70),
+        "latex": lambda tex: latex.display(tex, 62),
+        "text": lambda tex: "\n".join(unicode.broken(tex, 68)),
     }
     for formula in paper.FORMULAS:
         if form == "html" and formula.is_misprinted:
             printed, right = difference(formula.printed, formula.right)
-            assert squeezed(_mathml.written(printed)) in text, formula.label
-            assert squeezed(_mathml.written(right)) in text, formula.label
+            assert squeezed(mathml.written(printed)) in text, formula.label
+            assert squeezed(mathml.written(right)) in text, formula.label
         else:
             assert squeezed(writes[form](formula.right)) in text, formula.label
             if formula.is_misprinted and form == "md":
@@ -141,21 +141,21 @@ def test_mathml_is_well_formed(language: str) -> None:
 
 def test_formulas_are_written_as_they_were_read() -> None:
     for formula in paper.FORMULAS:
-        for latex in (formula.printed, formula.right):
-            assert read(_source.display(latex, 1e9)) == read(latex), formula.label
+        for text in (formula.printed, formula.right):
+            assert read(latex.display(text, 1e9)) == read(text), formula.label
 
 
 def test_what_is_not_known_is_refused() -> None:
-    for latex in (r"\frac{a}{b", r"a}", r"\unknown{a}", r"(a", r"\begin{cases}a\end{cases}"):
+    for text in (r"\frac{a}{b", r"a}", r"\unknown{a}", r"(a", r"\begin{cases}a\end{cases}"):
         with pytest.raises(UnknownTeX):
-            read(latex)
+            read(text)
 
 
 def test_plain_formulas() -> None:
-    assert _plain.plain(r"\Omega = \frac{3}{8} \omega_0 \frac{ab}{l^2}") == "Ω = 3/8 ω₀ ab/l²"
-    assert _plain.plain(r"\ddot{\theta} - \dot{\phi}^2 \sin \theta") == "θ̈ − φ̇² sin θ"
-    assert _plain.plain(r"\frac{1}{8l^2} \frac{d}{dt} \dot{x}") == "1/(8l²) d/dt ẋ"
-    assert _plain.plain(r"-\sqrt{1 - \frac{\rho^2}{l^2}}") == "−√(1 − ρ²/l²)"
+    assert unicode.plain(r"\Omega = \frac{3}{8} \omega_0 \frac{ab}{l^2}") == "Ω = 3/8 ω₀ ab/l²"
+    assert unicode.plain(r"\ddot{\theta} - \dot{\phi}^2 \sin \theta") == "θ̈ − φ̇² sin θ"
+    assert unicode.plain(r"\frac{1}{8l^2} \frac{d}{dt} \dot{x}") == "1/(8l²) d/dt ẋ"
+    assert unicode.plain(r"-\sqrt{1 - \frac{\rho^2}{l^2}}") == "−√(1 − ρ²/l²)"
 
 
 def test_differences_are_small() -> None:

@@ -13,7 +13,7 @@ from sympy import Expr, lambdify
 
 import kugelpendel as kp
 from kugelpendel import paper
-from kugelpendel.paper._symbols import (
+from kugelpendel.paper.algebra.symbols import (
     Omega,
     T,
     a,
@@ -37,7 +37,7 @@ from kugelpendel.paper._symbols import (
     y,
     yd,
     ydd,
-)  # fmt: skip
+)
 
 LENGTH, GRAVITY, MASS = 1.3, 9.81, 0.7
 OMEGA0 = np.sqrt(GRAVITY / LENGTH)

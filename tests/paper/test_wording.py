@@ -5,8 +5,8 @@ import re
 import pytest
 
 from kugelpendel import paper
-from kugelpendel.paper._prose import spans
-from kugelpendel.paper._tex import read
+from kugelpendel.paper.document.prose import spans
+from kugelpendel.paper.typeset.tex import read
 
 LANGUAGES = ("de", "en")
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from ..parameters import Suspension
-from . import _half_turn, _measured
-from ._answer import AVERAGED, Answer, Check
-from ._case import Case
-from ._half_turn import HalfTurn
+from kugelpendel.builder import _half_turn, _measured
+from kugelpendel.builder._answer import AVERAGED, Answer, Check
+from kugelpendel.builder._case import Case
+from kugelpendel.builder._half_turn import HalfTurn
+from kugelpendel.parameters import Suspension
 
 _NARROW = 0.1
 """Beyond this b/a the formulas for b ≪ a miss by tenths."""

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from ..motion import ExactMotion, RealMotion
-from ..parameters import (
+from kugelpendel.motion import ExactMotion, RealMotion
+from kugelpendel.parameters import (
     Bob,
     Drag,
     Drive,

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from . import _measured
-from ._answer import NELSON, Answer, Check
-from ._case import Case
+from kugelpendel.builder import _measured
+from kugelpendel.builder._answer import NELSON, Answer, Check
+from kugelpendel.builder._case import Case
 
 _MOST_SWINGS = 400
 """A check over a longer time would take more than a second."""

@@ -5,7 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from ..parameters import (
+from kugelpendel.builder._anisotropy import anisotropy
+from kugelpendel.builder._answer import Answer
+from kugelpendel.builder._case import Case
+from kugelpendel.builder._decay import amplitude_after, decay
+from kugelpendel.builder._half_turn import MOMENTS, half_turns, is_run
+from kugelpendel.builder._hanging import hanging
+from kugelpendel.builder._passage import passage
+from kugelpendel.builder._period import period
+from kugelpendel.builder._timing import timing
+from kugelpendel.builder._turning import foucault, intrinsic, release, shares, total
+from kugelpendel.parameters import (
     Bob,
     Drag,
     Drive,
@@ -16,16 +26,6 @@ from ..parameters import (
     Wire,
     as_numbers,
 )
-from ._anisotropy import anisotropy
-from ._answer import Answer
-from ._case import Case
-from ._decay import amplitude_after, decay
-from ._half_turn import MOMENTS, half_turns, is_run
-from ._hanging import hanging
-from ._passage import passage
-from ._period import period
-from ._timing import timing
-from ._turning import foucault, intrinsic, release, shares, total
 
 _QUESTIONS: tuple[Callable[[Case], Iterator[Answer]], ...] = (
     period, foucault, intrinsic, release, total, decay, anisotropy, timing, passage, hanging,

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..parameters import Drag, Suspension
-from . import _measured
-from ._case import Case
+from kugelpendel.builder import _measured
+from kugelpendel.builder._case import Case
+from kugelpendel.parameters import Drag, Suspension
 
 MOMENTS = 80
 """Turning points that a run reads in half a turn."""

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ._answer import HOOKE, NELSON, OLSSON, Answer, Check
-from ._case import Case
+from kugelpendel.builder._answer import HOOKE, NELSON, OLSSON, Answer, Check
+from kugelpendel.builder._case import Case
 
 _SAMPLES = 2000
 _DAY = 86400.0  # s

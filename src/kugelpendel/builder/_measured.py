@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..motion import RealMotion
-from ..parameters import Numbers
+from kugelpendel.motion import RealMotion
+from kugelpendel.parameters import Numbers
 
 
 def outer_points(motion: RealMotion, start: float, stop: float) -> tuple[Numbers, Numbers]:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from ..motion import RealMotion
-from ._answer import CLOSED_FORM, Answer, Check
-from ._case import Case
+from kugelpendel.builder._answer import CLOSED_FORM, Answer, Check
+from kugelpendel.builder._case import Case
+from kugelpendel.motion import RealMotion
 
 _BISECTIONS = 60
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 
-from ..motion import ExactMotion
-from ..parameters import Launch
-from . import _measured
-from ._answer import AVERAGED, CLOSED_FORM, NELSON, Answer, Check
-from ._case import Case
+from kugelpendel.builder import _measured
+from kugelpendel.builder._answer import AVERAGED, CLOSED_FORM, NELSON, Answer, Check
+from kugelpendel.builder._case import Case
+from kugelpendel.motion import ExactMotion
+from kugelpendel.parameters import Launch
 
 _STANDARD = 9.80665  # m/s², of the tables
 

@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from ..parameters import Drag, Drive, InvalidInput
-from . import _measured
-from ._answer import AVERAGED, SCHUMACHER, Answer, Check
-from ._case import Case
+from kugelpendel.builder import _measured
+from kugelpendel.builder._answer import AVERAGED, SCHUMACHER, Answer, Check
+from kugelpendel.builder._case import Case
+from kugelpendel.parameters import Drag, Drive, InvalidInput
 
 _SWINGS = 10  # over which the runs take a mean
 

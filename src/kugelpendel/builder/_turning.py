@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from ..observables import precession_rate
-from ..parameters import Launch
-from . import _measured
-from ._answer import AVERAGED, CLOSED_FORM, FOUCAULT, OLSSON, Answer, Check
-from ._case import Case
+from kugelpendel.builder import _measured
+from kugelpendel.builder._answer import AVERAGED, CLOSED_FORM, FOUCAULT, OLSSON, Answer, Check
+from kugelpendel.builder._case import Case
+from kugelpendel.observables import precession_rate
+from kugelpendel.parameters import Launch
 
 _DAY = 86400.0  # s
 _GROUND = "aΩ_z − (2/3)(a²/l) Ω_h sin ψ0"

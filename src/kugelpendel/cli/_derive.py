@@ -44,7 +44,7 @@ def derive(
     chosen = known_language(language)
     kind = _known_format(document_format, out)
     width = min(shutil.get_terminal_size().columns, _WIDEST)
-    text = paper.document(chosen, kind, target, width)
+    text = paper.write(chosen, kind, target, width)
     if out is None and kind == "html":
         name = f"derivation-{target.replace(':', '-')}" if target else "derivation"
         out = Path(f"{name}.{chosen}.html")

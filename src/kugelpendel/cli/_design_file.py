@@ -23,14 +23,7 @@ from typing import TYPE_CHECKING
 import kugelpendel as kp
 from kugelpendel.cli import _file
 from kugelpendel.cli._quantity import ANGLE, LENGTH, TIME, Kind
-from kugelpendel.cli._sections import (
-    SURROUNDINGS,
-    Setup,
-    given,
-    named,
-    plain_number,
-    read_setup,
-)
+from kugelpendel.cli._sections import SURROUNDINGS, Setup, given, named, plain_number, read_setup
 from kugelpendel.cli._table import Table, split
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from typing import Protocol
 
 from numpy.typing import ArrayLike
 
-from ..parameters import Launch, Numbers, Pendulum
+from kugelpendel.parameters import Launch, Numbers, Pendulum
 
 
 class Motion(Protocol):

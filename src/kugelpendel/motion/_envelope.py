@@ -9,8 +9,13 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .. import _core
-from ..parameters import (
+from kugelpendel import _core
+from kugelpendel.motion._pumping import refuse_pumping
+from kugelpendel.motion._real import RealMotion
+from kugelpendel.motion._surrounded import Surrounded
+from kugelpendel.motion._surroundings import Surroundings
+from kugelpendel.motion._times import checked_grid, checked_times
+from kugelpendel.parameters import (
     Bob,
     Drag,
     Drive,
@@ -21,11 +26,6 @@ from ..parameters import (
     Site,
     Suspension,
 )
-from ._pumping import refuse_pumping
-from ._real import RealMotion
-from ._surrounded import Surrounded
-from ._surroundings import Surroundings
-from ._times import checked_grid, checked_times
 
 _AHEAD = 1e8
 """s: how far an end of the motion is looked for, some three years."""

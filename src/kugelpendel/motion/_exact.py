@@ -9,10 +9,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .. import _core
-from ..parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars
-from ._spectrum import Spectrum
-from ._times import check_memory, check_out, checked_count, checked_grid, checked_times
+from kugelpendel import _core
+from kugelpendel.motion._spectrum import Spectrum
+from kugelpendel.motion._times import (
+    check_memory,
+    check_out,
+    checked_count,
+    checked_grid,
+    checked_times,
+)
+from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars
 
 if TYPE_CHECKING:
     from xarray import Dataset

@@ -8,10 +8,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .. import _core
-from ..parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars
-from ._exact import ExactMotion
-from ._times import checked_grid, checked_times
+from kugelpendel import _core
+from kugelpendel.motion._exact import ExactMotion
+from kugelpendel.motion._times import checked_grid, checked_times
+from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars
 
 POWERS = 7
 """How many powers of sin² ζ the core takes for each part of the figure."""

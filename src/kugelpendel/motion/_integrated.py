@@ -9,10 +9,10 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .. import _core
-from ..parameters import InvalidInput, Launch, Numbers, Pendulum
-from ._exact import ExactMotion
-from ._times import checked_grid, checked_times
+from kugelpendel import _core
+from kugelpendel.motion._exact import ExactMotion
+from kugelpendel.motion._times import checked_grid, checked_times
+from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum
 
 
 class IntegratedMotion(ABC):

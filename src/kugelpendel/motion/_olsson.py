@@ -6,8 +6,8 @@ from typing import final
 
 import numpy as np
 
-from ..parameters import Numbers
-from ._harmonic import HarmonicMotion
+from kugelpendel.motion._harmonic import HarmonicMotion
+from kugelpendel.parameters import Numbers
 
 
 @final

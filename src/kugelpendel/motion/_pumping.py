@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..parameters import Drag, Drive, InvalidInput, Launch, Numbers, Pendulum
-from ._exact import ExactMotion
+from kugelpendel.motion._exact import ExactMotion
+from kugelpendel.parameters import Drag, Drive, InvalidInput, Launch, Numbers, Pendulum
 
 _LOOKS = 400
 """Amplitudes at which gain and loss are compared."""

@@ -9,8 +9,12 @@ from typing import Any, Literal, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .. import _core
-from ..parameters import (
+from kugelpendel import _core
+from kugelpendel.motion._pumping import refuse_pumping
+from kugelpendel.motion._surrounded import Surrounded
+from kugelpendel.motion._surroundings import Surroundings
+from kugelpendel.motion._times import checked_grid, checked_times
+from kugelpendel.parameters import (
     Bob,
     Drag,
     Drive,
@@ -22,10 +26,6 @@ from ..parameters import (
     Suspension,
     as_numbers,
 )
-from ._pumping import refuse_pumping
-from ._surrounded import Surrounded
-from ._surroundings import Surroundings
-from ._times import checked_grid, checked_times
 
 Thread: TypeAlias = Literal["ends", "flies", "rod"]
 Event: TypeAlias = Literal["outer", "inner", "azimuth", "slack", "taut"]

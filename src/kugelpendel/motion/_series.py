@@ -7,9 +7,9 @@ from typing import final
 
 import numpy as np
 
-from .. import series
-from ..parameters import InvalidInput, Launch, Numbers, Pendulum
-from ._harmonic import POWERS, HarmonicMotion
+from kugelpendel import series
+from kugelpendel.motion._harmonic import POWERS, HarmonicMotion
+from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum
 
 
 @final

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..parameters import Numbers
-from ._times import checked_times
+from kugelpendel.motion._times import checked_times
+from kugelpendel.parameters import Numbers
 
 
 @dataclass(frozen=True, eq=False)

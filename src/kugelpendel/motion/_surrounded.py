@@ -7,8 +7,8 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-from ..parameters import Bob, Drag, Drive, Launch, Pendulum, Scalars, Site, Suspension
-from ._surroundings import Surroundings
+from kugelpendel.motion._surroundings import Surroundings
+from kugelpendel.parameters import Bob, Drag, Drive, Launch, Pendulum, Scalars, Site, Suspension
 
 
 class Surrounded:

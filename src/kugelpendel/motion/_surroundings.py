@@ -8,7 +8,7 @@ from math import prod
 
 import numpy as np
 
-from ..parameters import (
+from kugelpendel.parameters import (
     Bob,
     Drag,
     Drive,

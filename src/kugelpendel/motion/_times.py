@@ -10,7 +10,7 @@ from typing import cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..parameters import InvalidInput, Numbers, as_array, as_numbers
+from kugelpendel.parameters import InvalidInput, Numbers, as_array, as_numbers
 
 
 def checked_times(t: ArrayLike, numbers_each: int) -> Numbers:

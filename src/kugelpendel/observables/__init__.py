@@ -1,19 +1,19 @@
 """What one reads off a motion, and what one would read off an ideal one."""
 
-from ._compare import Compared as Compared
-from ._compare import Comparison as Comparison
-from ._compare import compare as compare
-from ._course import Course as Course
-from ._ellipse import ellipse as ellipse
-from ._ellipse import osculating_ellipse as osculating_ellipse
-from ._measured import Rates as Rates
-from ._measured import measured_rates as measured_rates
-from ._olsson import precession_rate as precession_rate
-from ._olsson import swing_frequency as swing_frequency
-from ._shares import CAUSES as CAUSES
-from ._shares import Shares as Shares
-from ._shares import Stretch as Stretch
-from ._validity import Validity as Validity
-from ._validity import ValidityMap as ValidityMap
-from ._validity import validity as validity
-from ._validity import validity_map as validity_map
+from kugelpendel.observables._compare import Compared as Compared
+from kugelpendel.observables._compare import Comparison as Comparison
+from kugelpendel.observables._compare import compare as compare
+from kugelpendel.observables._course import Course as Course
+from kugelpendel.observables._ellipse import ellipse as ellipse
+from kugelpendel.observables._ellipse import osculating_ellipse as osculating_ellipse
+from kugelpendel.observables._measured import Rates as Rates
+from kugelpendel.observables._measured import measured_rates as measured_rates
+from kugelpendel.observables._olsson import precession_rate as precession_rate
+from kugelpendel.observables._olsson import swing_frequency as swing_frequency
+from kugelpendel.observables._shares import CAUSES as CAUSES
+from kugelpendel.observables._shares import Shares as Shares
+from kugelpendel.observables._shares import Stretch as Stretch
+from kugelpendel.observables._validity import Validity as Validity
+from kugelpendel.observables._validity import ValidityMap as ValidityMap
+from kugelpendel.observables._validity import validity as validity
+from kugelpendel.observables._validity import validity_map as validity_map

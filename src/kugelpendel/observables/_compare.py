@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..motion import (
+from kugelpendel.motion import (
     CubicMotion,
     ExactMotion,
     LinearMotion,
@@ -18,9 +18,9 @@ from ..motion import (
     PlaneMotion,
     SeriesMotion,
 )
-from ..parameters import InvalidInput, Launch, Numbers, Pendulum
-from ._measured import Rates, measured_rates
-from ._validity import ORDERS
+from kugelpendel.observables._measured import Rates, measured_rates
+from kugelpendel.observables._validity import ORDERS
+from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum
 
 _SWINGS = 20
 """Swings that are compared unless a duration is given."""

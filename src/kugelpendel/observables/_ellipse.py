@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..motion import EnvelopeMotion, ExactMotion, Motion, RealMotion
-from ..parameters import Launch, Numbers, Pendulum, Scalars
+from kugelpendel.motion import EnvelopeMotion, ExactMotion, Motion, RealMotion
+from kugelpendel.parameters import Launch, Numbers, Pendulum, Scalars
 
 
 def ellipse(motion: Motion, t: ArrayLike) -> tuple[Numbers, Numbers, Numbers]:

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..motion import Motion
-from ..parameters import Numbers
+from kugelpendel.motion import Motion
+from kugelpendel.parameters import Numbers
 
 _HALF_SWINGS = 64
 """So many are averaged over: what an integrator leaves in one of them counts a 64th."""

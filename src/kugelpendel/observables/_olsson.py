@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..parameters import InvalidInput, Pendulum, Scalars, as_numbers, common_shape, unfit
+from kugelpendel.parameters import InvalidInput, Pendulum, Scalars, as_numbers, common_shape, unfit
 
 
 def precession_rate(

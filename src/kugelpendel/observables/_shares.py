@@ -10,7 +10,7 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from ..motion import EnvelopeMotion
+    from kugelpendel.motion import EnvelopeMotion
 
 CAUSES = ("earth", "intrinsic", "anisotropy", "damping", "drive")
 """Whose shares add up to the rate of the plane; the names are those of `Shares`."""

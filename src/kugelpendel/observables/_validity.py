@@ -9,10 +9,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .. import series
-from ..motion import ExactMotion
-from ..parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars, as_numbers
-from ._olsson import precession_rate, swing_frequency
+from kugelpendel import series
+from kugelpendel.motion import ExactMotion
+from kugelpendel.observables._olsson import precession_rate, swing_frequency
+from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars, as_numbers
 
 ORDERS = (2, 4, 6, 8, 10, 12)
 """Orders of the series that are judged."""

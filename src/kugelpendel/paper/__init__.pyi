@@ -1,32 +1,32 @@
-from ._check import check as check
-from ._check import examined as examined
-from ._consequences import CONSEQUENCES as CONSEQUENCES
-from ._counterexample import Counterexample as Counterexample
-from ._counterexample import counterexample as counterexample
-from ._graph import FORMULAS as FORMULAS
-from ._graph import UnknownLabel as UnknownLabel
-from ._graph import edges as edges
-from ._graph import formula as formula
-from ._graph import parts as parts
-from ._graph import printed as printed
-from ._graph import rests_on as rests_on
-from ._graph import right as right
-from ._misprints import MISPRINTS as MISPRINTS
-from ._model import Condition as Condition
-from ._model import Formula as Formula
-from ._model import Kind as Kind
-from ._model import Misprint as Misprint
-from ._model import Row as Row
-from ._model import Step as Step
-from ._remainders import Remainder as Remainder
-from ._remainders import dropped_harmonics as dropped_harmonics
-from ._remainders import remainders as remainders
-from ._remainders import third_harmonic as third_harmonic
-from ._rendering import document as document
-from ._rendering import misprint_list as misprint_list
-from ._words import LANGUAGES as LANGUAGES
-from ._words import Words as Words
-from ._words import words as words
+from .checks.conditions_violated import CONSEQUENCES as CONSEQUENCES
+from .checks.counterexample import Counterexample as Counterexample
+from .checks.counterexample import counterexample as counterexample
+from .checks.remainders import Remainder as Remainder
+from .checks.remainders import dropped_harmonics as dropped_harmonics
+from .checks.remainders import remainders as remainders
+from .checks.remainders import third_harmonic as third_harmonic
+from .checks.run import check as check
+from .checks.run import examined as examined
+from .derivation.graph import FORMULAS as FORMULAS
+from .derivation.graph import UnknownLabel as UnknownLabel
+from .derivation.graph import edges as edges
+from .derivation.graph import formula as formula
+from .derivation.graph import parts as parts
+from .derivation.graph import printed as printed
+from .derivation.graph import rests_on as rests_on
+from .derivation.graph import right as right
+from .derivation.misprints import MISPRINTS as MISPRINTS
+from .derivation.model import Condition as Condition
+from .derivation.model import Formula as Formula
+from .derivation.model import Kind as Kind
+from .derivation.model import Misprint as Misprint
+from .derivation.model import Row as Row
+from .derivation.model import Step as Step
+from .document.wording import LANGUAGES as LANGUAGES
+from .document.wording import Words as Words
+from .document.wording import words as words
+from .rendering import misprint_list as misprint_list
+from .rendering import write as write
 
 __all__ = [
     "CONSEQUENCES",
@@ -45,7 +45,6 @@ __all__ = [
     "Words",
     "check",
     "counterexample",
-    "document",
     "dropped_harmonics",
     "edges",
     "examined",
@@ -58,4 +57,5 @@ __all__ = [
     "right",
     "third_harmonic",
     "words",
+    "write",
 ]

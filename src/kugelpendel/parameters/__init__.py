@@ -1,17 +1,17 @@
 """What is given: frozen, checked, in SI."""
 
-from ._bob import Bob as Bob
-from ._drag import Drag as Drag
-from ._drive import Drive as Drive
-from ._invalid import InvalidInput as InvalidInput
-from ._launch import Launch as Launch
-from ._numbers import Numbers as Numbers
-from ._numbers import Scalars as Scalars
-from ._numbers import as_array as as_array
-from ._numbers import as_numbers as as_numbers
-from ._numbers import common_shape as common_shape
-from ._numbers import unfit as unfit
-from ._pendulum import Pendulum as Pendulum
-from ._site import Site as Site
-from ._suspension import Suspension as Suspension
-from ._wire import Wire as Wire
+from kugelpendel.parameters._bob import Bob as Bob
+from kugelpendel.parameters._drag import Drag as Drag
+from kugelpendel.parameters._drive import Drive as Drive
+from kugelpendel.parameters._invalid import InvalidInput as InvalidInput
+from kugelpendel.parameters._launch import Launch as Launch
+from kugelpendel.parameters._numbers import Numbers as Numbers
+from kugelpendel.parameters._numbers import Scalars as Scalars
+from kugelpendel.parameters._numbers import as_array as as_array
+from kugelpendel.parameters._numbers import as_numbers as as_numbers
+from kugelpendel.parameters._numbers import common_shape as common_shape
+from kugelpendel.parameters._numbers import unfit as unfit
+from kugelpendel.parameters._pendulum import Pendulum as Pendulum
+from kugelpendel.parameters._site import Site as Site
+from kugelpendel.parameters._suspension import Suspension as Suspension
+from kugelpendel.parameters._wire import Wire as Wire

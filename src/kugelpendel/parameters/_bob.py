@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._given import Given, require, require_not_negative, require_positive
-from ._invalid import InvalidInput
-from ._numbers import Scalars, as_numbers
+from kugelpendel.parameters._given import Given, require, require_not_negative, require_positive
+from kugelpendel.parameters._invalid import InvalidInput
+from kugelpendel.parameters._numbers import Scalars, as_numbers
 
 
 @dataclass(frozen=True, eq=False, init=False)

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._bob import Bob
-from ._given import Given, require_not_negative, require_positive
-from ._numbers import Scalars, as_numbers
-from ._pendulum import Pendulum
+from kugelpendel.parameters._bob import Bob
+from kugelpendel.parameters._given import Given, require_not_negative, require_positive
+from kugelpendel.parameters._numbers import Scalars, as_numbers
+from kugelpendel.parameters._pendulum import Pendulum
 
 
 @dataclass(frozen=True, eq=False, init=False)

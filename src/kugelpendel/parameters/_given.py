@@ -7,8 +7,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ._invalid import InvalidInput
-from ._numbers import Scalars, common_shape, equal, hashed, unfit
+from kugelpendel.parameters._invalid import InvalidInput
+from kugelpendel.parameters._numbers import Scalars, common_shape, equal, hashed, unfit
 
 
 class Given(ABC):

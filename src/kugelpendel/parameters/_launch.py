@@ -7,8 +7,16 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._invalid import InvalidInput
-from ._numbers import Scalars, as_numbers, common_shape, equal, hashed, lock, unfit
+from kugelpendel.parameters._invalid import InvalidInput
+from kugelpendel.parameters._numbers import (
+    Scalars,
+    as_numbers,
+    common_shape,
+    equal,
+    hashed,
+    lock,
+    unfit,
+)
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,7 +7,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._invalid import InvalidInput
+from kugelpendel.parameters._invalid import InvalidInput
 
 Numbers: TypeAlias = NDArray[np.float64]
 Scalars: TypeAlias = float | Numbers

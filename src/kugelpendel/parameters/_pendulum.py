@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .. import _core
-from ._invalid import InvalidInput
-from ._numbers import Scalars, as_numbers, common_shape, equal, hashed, unfit
+from kugelpendel import _core
+from kugelpendel.parameters._invalid import InvalidInput
+from kugelpendel.parameters._numbers import Scalars, as_numbers, common_shape, equal, hashed, unfit
 
 
 @dataclass(frozen=True, eq=False, init=False)

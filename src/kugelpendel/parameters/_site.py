@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._given import Given, require, require_finite, require_positive
-from ._numbers import Scalars, as_numbers
+from kugelpendel.parameters._given import Given, require, require_finite, require_positive
+from kugelpendel.parameters._numbers import Scalars, as_numbers
 
 ROTATION = 7.292115e-5
 """Ω_E, rad/s: of the Earth against the stars, one turn in 86164 s (WGS84, NIMA TR8350.2 §3.2.4)."""

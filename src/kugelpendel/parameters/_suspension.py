@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._given import Given, require_finite, require_positive
-from ._numbers import Scalars, as_numbers, unfit
+from kugelpendel.parameters._given import Given, require_finite, require_positive
+from kugelpendel.parameters._numbers import Scalars, as_numbers, unfit
 
 
 @dataclass(frozen=True, eq=False, init=False)

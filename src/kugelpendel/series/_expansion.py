@@ -24,7 +24,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import comb
 
-from ._power_series import PowerSeries
+from kugelpendel.series._power_series import PowerSeries
 
 
 @dataclass(frozen=True)

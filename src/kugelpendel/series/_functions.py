@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 
-from ._orders import Variables, checked_order, checked_variables
-from ._polynomial import Polynomial
-from ._table import names, polynomial
+from kugelpendel.series._orders import Variables, checked_order, checked_variables
+from kugelpendel.series._polynomial import Polynomial
+from kugelpendel.series._table import names, polynomial
 
 
 @dataclass(frozen=True)

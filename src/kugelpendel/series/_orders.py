@@ -5,7 +5,7 @@ from __future__ import annotations
 from operator import index
 from typing import Literal, TypeAlias
 
-from ..parameters import InvalidInput
+from kugelpendel.parameters import InvalidInput
 
 Variables: TypeAlias = Literal["radii", "harmonics"]
 

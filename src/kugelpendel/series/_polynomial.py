@@ -9,7 +9,7 @@ from functools import cached_property
 
 from numpy.typing import ArrayLike
 
-from ..parameters import Scalars, as_numbers
+from kugelpendel.parameters import Scalars, as_numbers
 
 _RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 _GREEK = {"α": r"\alpha", "β": r"\beta"}

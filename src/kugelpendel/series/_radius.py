@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..parameters import InvalidInput, Scalars, as_numbers
-from ._orders import Variables, checked_variables
-from ._table import stored
+from kugelpendel.parameters import InvalidInput, Scalars, as_numbers
+from kugelpendel.series._orders import Variables, checked_variables
+from kugelpendel.series._table import stored
 
 
 def radius(ratio: ArrayLike, variables: Variables = "radii") -> Scalars:

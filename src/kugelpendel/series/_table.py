@@ -8,10 +8,10 @@ from functools import cache
 from pathlib import Path
 from typing import TypedDict
 
-from ._expansion import Expansion, in_harmonics, in_radii
-from ._orders import NAMES, Variables
-from ._polynomial import Polynomial
-from ._power_series import PowerSeries
+from kugelpendel.series._expansion import Expansion, in_harmonics, in_radii
+from kugelpendel.series._orders import NAMES, Variables
+from kugelpendel.series._polynomial import Polynomial
+from kugelpendel.series._power_series import PowerSeries
 
 FILE = "table.json"
 SHIPPED = 16

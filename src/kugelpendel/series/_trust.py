@@ -8,11 +8,11 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..parameters import InvalidInput, Numbers, Scalars, as_numbers
-from ._functions import all_harmonics, frequency, precession
-from ._orders import checked_order
-from ._polynomial import Polynomial
-from ._table import polynomial
+from kugelpendel.parameters import InvalidInput, Numbers, Scalars, as_numbers
+from kugelpendel.series._functions import all_harmonics, frequency, precession
+from kugelpendel.series._orders import checked_order
+from kugelpendel.series._polynomial import Polynomial
+from kugelpendel.series._table import polynomial
 
 WARNED = 0.01
 """A relative error of frequency or precession above this makes a warning."""

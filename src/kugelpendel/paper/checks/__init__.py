@@ -1,0 +1,1 @@
+"""What is done with the proofs: all are run, conditions violated, remainders measured."""

@@ -1,0 +1,100 @@
+"""All formulas in the paper's order, and what each rests on."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from kugelpendel.paper.algebra.notation import Relation, read
+from kugelpendel.paper.derivation.model import Formula
+from kugelpendel.paper.derivation.section1 import FORMULAS as _MOTION
+from kugelpendel.paper.derivation.section2_coordinates import FORMULAS as _CARTESIAN
+from kugelpendel.paper.derivation.section2_exact import FORMULAS as _EXACT
+from kugelpendel.paper.derivation.section3 import FORMULAS as _INFINITESIMAL
+from kugelpendel.paper.derivation.section4_ansatz import FORMULAS as _FINITE
+from kugelpendel.paper.derivation.section4_balance import FORMULAS as _BALANCE
+from kugelpendel.paper.proofs.symbolic import Premises
+
+FORMULAS: tuple[Formula, ...] = (
+    *_MOTION,
+    *_CARTESIAN,
+    *_EXACT,
+    *_INFINITESIMAL,
+    *_FINITE,
+    *_BALANCE,
+)
+_BY_LABEL = {formula.label: formula for formula in FORMULAS}
+
+
+class UnknownLabel(KeyError):
+    """No formula and no display of the paper has this label."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+def formula(label: str) -> Formula:
+    """The formula of that label; raises UnknownLabel."""
+    if label not in _BY_LABEL:
+        raise UnknownLabel(f"There is no formula {label!r}; the labels are in paper.FORMULAS.")
+    return _BY_LABEL[label]
+
+
+def parts(label: str) -> tuple[Formula, ...]:
+    """The formulas of a display, of a number that stands at several displays, or one formula."""
+    if label in _BY_LABEL:
+        return (_BY_LABEL[label],)
+    found = tuple(f for f in FORMULAS if f.display == label)
+    if not found:
+        raise UnknownLabel(f"There is no equation {label!r} in the paper.")
+    return found
+
+
+@cache
+def _relations() -> dict[str, Relation]:
+    """Of every formula as it should be, by label."""
+    found: dict[str, Relation] = {}
+    for one in FORMULAS:
+        found[one.label] = read(one.right, found[one.head].lhs if one.head else None)
+    return found
+
+
+def right(label: str) -> Relation:
+    """What the formula should say."""
+    return _relations()[formula(label).label]
+
+
+def printed(label: str) -> Relation:
+    """What stands in the paper; a line that continues a chain is read after its right head."""
+    one = formula(label)
+    return read(one.printed, _relations()[one.head].lhs if one.head else None)
+
+
+def premises(one: Formula) -> Premises:
+    """What its step may use."""
+    return Premises(one.step.premises, _relations())
+
+
+def edges() -> tuple[tuple[str, str], ...]:
+    """(premise, formula) for every arrow of the graph, labels of single formulas."""
+    return tuple(
+        (premise.label, one.label)
+        for one in FORMULAS
+        for name in one.step.premises
+        for premise in parts(name)
+    )
+
+
+def rests_on(label: str) -> tuple[str, ...]:
+    """Labels of everything that the formula or display rests on, in the paper's order.
+
+    Those that are asked for are not among them. Raises UnknownLabel.
+    """
+    wanted = [one.label for one in parts(label)]
+    asked, found = set(wanted), set[str]()
+    while wanted:
+        for name in formula(wanted.pop()).step.premises:
+            for premise in parts(name):
+                if premise.label not in found:
+                    found.add(premise.label)
+                    wanted.append(premise.label)
+    return tuple(one.label for one in FORMULAS if one.label in found - asked)

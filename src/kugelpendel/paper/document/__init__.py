@@ -1,0 +1,1 @@
+"""The derivation as a page, Markdown, LaTeX or text for a terminal, in German and English."""

@@ -1,0 +1,114 @@
+"""The wording of the derivation in one language, read from ``wording/``."""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from kugelpendel.paper.derivation.model import Misprint
+
+LANGUAGES = ("de", "en")
+
+
+@dataclass(frozen=True)
+class Words:
+    """Texts of the document; what is in them beside words is read by `_prose`.
+
+    Attributes
+    ----------
+    language : str
+        "de" or "en".
+    tables : mapping
+        The file as it is.
+    """
+
+    language: str
+    tables: Mapping[str, Any]
+
+    def ui(self, key: str, *values: object) -> str:
+        """A short text of the document's frame, with values in its gaps."""
+        text: str = self.tables["ui"][key]
+        return text.format(*values) if values else text
+
+    def title(self) -> str:
+        """The document's title."""
+        return str(self.tables["title"])
+
+    def subtitle(self) -> str:
+        """What stands under the title."""
+        return str(self.tables["subtitle"])
+
+    def paragraphs(self, name: str) -> tuple[str, ...]:
+        """The introduction, the conventions or the closing."""
+        return tuple(self.tables[name])
+
+    def section(self, number: int) -> tuple[str, str]:
+        """Title and lead of one of the paper's sections."""
+        entry = self.tables["section"][str(number)]
+        return entry["title"], entry["lead"]
+
+    def kind(self, kind: str) -> str:
+        """The name of a kind of step."""
+        return str(self.tables["kind"][kind])
+
+    def formula(self, label: str) -> str:
+        """What is said about a formula or a display; "" when nothing is."""
+        return str(self.tables["formula"].get(label, ""))
+
+    def condition(self, key: str) -> str:
+        """A condition in words."""
+        return str(self.tables["condition"][key])
+
+    def consequence(self, name: str) -> str:
+        """What happens where a condition fails, or why it holds."""
+        table = "holds" if self.is_met(name) else "consequence"
+        return str(self.tables[table][name])
+
+    def is_met(self, name: str) -> bool:
+        """Whether a condition turns out to hold by itself."""
+        return name in self.tables["holds"]
+
+    def fate(self, name: str) -> str:
+        """What stands before the consequence."""
+        return self.ui("holds" if self.is_met(name) else "fails")
+
+    def neglected(self, kind: str) -> str:
+        """What stands before the terms that a kind of step neglects."""
+        return self.ui("terms_with" if kind == "average" else "order")
+
+    def misprint_kind(self, kind: str) -> str:
+        """What sort of misprint it is, to begin a sentence with."""
+        text = self.ui(f"misprint_{kind}")
+        return text[:1].upper() + text[1:]
+
+    def printed(self, one: Misprint) -> str:
+        """What stands in the paper, as a sentence: a formula between dollars, or German words."""
+        return quoted(one.printed)
+
+    def right(self, one: Misprint) -> str:
+        """What should stand there, in this language."""
+        return str(self.tables["right"].get(one.key) or quoted(one.right))
+
+    def misprint(self, key: str) -> str:
+        """What is wrong, and how one knows."""
+        return str(self.tables["misprint"][key])
+
+
+def quoted(text: str) -> str:
+    """LaTeX between dollars, words as they are, and a dash for nothing."""
+    if "\\" in text or "^" in text or text == "=":
+        return f"${text}$"
+    return text or "–"
+
+
+@cache
+def words(language: str) -> Words:
+    """Read the wording of a language, one of `LANGUAGES`."""
+    file = files("kugelpendel.paper.document") / "sentences" / f"{language}.toml"
+    return Words(language, tomllib.loads(file.read_text(encoding="utf-8")))

@@ -1,0 +1,76 @@
+"""From the derivation to a text: which formulas, which language, which format."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from typing import TYPE_CHECKING
+
+from kugelpendel.paper.checks.counterexample import counterexample
+from kugelpendel.paper.derivation.graph import FORMULAS, parts, rests_on
+from kugelpendel.paper.derivation.misprints import MISPRINTS
+from kugelpendel.paper.document import html, latex, markdown, terminal
+from kugelpendel.paper.document.outline import Derivation, compose
+from kugelpendel.paper.document.tables import misprints
+
+if TYPE_CHECKING:
+    from kugelpendel.paper.document.outline import Document
+
+
+def composed(language: str, target: str = "") -> Document:
+    """The whole derivation, or what leads to one formula or display, in a language."""
+    labels = [formula.label for formula in FORMULAS]
+    if target:
+        labels = [*rests_on(target), *(formula.label for formula in parts(target))]
+    return compose(Derivation(FORMULAS, MISPRINTS, _evidence), language, labels, target)
+
+
+def write(language: str, form: str, target: str = "", width: int = 80) -> str:
+    """Write the derivation.
+
+    Parameters
+    ----------
+    language : str
+        One of `LANGUAGES`.
+    form : str
+        "html", "md", "latex" or "text".
+    target : str
+        A label: show only what leads to it. "" for everything.
+    width : int
+        Signs in a line, of text.
+
+    Raises
+    ------
+    UnknownLabel
+        The derivation has no such formula or display.
+    """
+    whole = composed(language, target)
+    match form:
+        case "html":
+            return html.write(whole)
+        case "md":
+            return markdown.write(whole)
+        case "latex":
+            return latex.write(whole)
+        case _:
+            return terminal.write(whole, width)
+
+
+def misprint_list(language: str, width: int = 80) -> str:
+    """All misprints as text, `width` signs wide."""
+    whole = composed(language)
+    rows = misprints(whole, terminal.TextPen(whole))
+    return "\n".join(terminal.listed(rows, width))
+
+
+@cache
+def _evidence(key: str) -> tuple[tuple[str, ...], str] | None:
+    found = counterexample(key)
+    if found is None:
+        return None
+    values = tuple(f"{name} = {_fraction(value)}" for name, value in found.values)
+    return values, _fraction(found.excess)
+
+
+def _fraction(number: str) -> str:
+    return re.sub(r"(\d+)/(\d+)", r"\\frac{\1}{\2}", number)

@@ -1,0 +1,1 @@
+"""How a formula is set: read from LaTeX, broken into lines, written as MathML, Unicode or LaTeX."""
