@@ -15,9 +15,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import kugelpendel as kp
-from kugelpendel.cli._findings import envelope
-from kugelpendel.cli._job import read_job
-from kugelpendel.cli._real import real_motion
+from kugelpendel.cli.job_file.job import read_job
+from kugelpendel.cli.run.findings import envelope
+from kugelpendel.cli.run.real import real_motion
 from kugelpendel.observables import osculating_ellipse
 from kugelpendel.plot import spell
 from kugelpendel.plot._ink import INNER, OUTER, QUIET, STYLE, TEXT

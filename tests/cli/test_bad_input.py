@@ -205,12 +205,12 @@ def test_no_command_shows_the_help(call) -> None:
 
 
 def test_package_that_is_not_installed(call, write, monkeypatch: pytest.MonkeyPatch) -> None:
-    from kugelpendel.cli import _quantity
+    from kugelpendel.cli.job_file import quantity
 
     def absent() -> None:
         raise ModuleNotFoundError("No module named 'pint'", name="pint")
 
-    monkeypatch.setattr(_quantity, "_registry", absent)
+    monkeypatch.setattr(quantity, "_registry", absent)
     _is_refused(call("run", write()), ["pint is not installed", "kugelpendel[run]"])
 
 

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from kugelpendel.cli._findings import envelope
-from kugelpendel.cli._job import Job, read_job
-from kugelpendel.cli._real import real_motion
+from kugelpendel.cli.job_file.job import Job, read_job
+from kugelpendel.cli.run.findings import envelope
+from kugelpendel.cli.run.real import real_motion
 from kugelpendel.observables import Shares
 
 REAL = ["guelph", "museum", "pantheon-day", "short", "short-remedy"]

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from kugelpendel.cli._job import LAUNCHES, read_job
+from kugelpendel.cli.job_file.job import LAUNCHES, read_job
 
 
 @pytest.fixture(scope="module")
@@ -74,7 +74,7 @@ def test_job_of_the_help_can_be_run(
 
 
 def test_job_of_the_sentence_can_be_run(tmp_path: Path) -> None:
-    from kugelpendel.cli._file import EXAMPLE
+    from kugelpendel.cli.job_file.toml_text import EXAMPLE
 
     path = tmp_path / "job.toml"
     path.write_text(EXAMPLE, encoding="utf-8")

@@ -10,8 +10,8 @@ import pytest
 
 from kugelpendel import paper
 from kugelpendel.cli import main
-from kugelpendel.cli._derive import known_language, nearest
-from kugelpendel.cli._proofs import table
+from kugelpendel.cli.derive.check import table
+from kugelpendel.cli.derive.command import known_language, nearest
 
 
 class Outcome:
@@ -179,7 +179,7 @@ def test_help_imports_nothing_heavy(arguments: list[str]) -> None:
 
 
 def test_missing_extra_is_a_sentence(call: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "kugelpendel.cli._derive", None)
+    monkeypatch.setitem(sys.modules, "kugelpendel.cli.derive.command", None)
     outcome = call("3")
     assert outcome.code == 2
     assert "python -m pip install 'kugelpendel[paper]'" in outcome.err

@@ -3,6 +3,6 @@
 Nothing heavy is imported before a command needs it, so that ``kugelpendel --help`` answers at once.
 """
 
-from kugelpendel.cli._main import main as main
+from kugelpendel.cli.main import main as main
 
 __all__ = ["main"]

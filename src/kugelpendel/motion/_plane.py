@@ -12,8 +12,8 @@ class PlaneMotion(IntegratedMotion):
     """The exact law in x and y alone, integrated: Olsson (1981), eq. (12).
 
     As printed, the second term lacks a factor 1/l². Error: 1e-12 l over 100 swings
-    (tests/motion/test_integrated.py). Where the bob reaches the height of the support the equation
-    divides by zero: `span` ends there. Raises InvalidInput for a launch on the
+    (tests/motion/approximations/test_integrated.py). Where the bob reaches the height of the
+    support the equation divides by zero: `span` ends there. Raises InvalidInput for a launch on the
     upper half of the sphere; in an ensemble such a case is NaN.
     """
 

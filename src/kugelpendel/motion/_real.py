@@ -76,8 +76,8 @@ class RealMotion(Surrounded):
     Notes
     -----
     With nothing but pendulum and launch the motion stays within 1e-12 l of ExactMotion over 1000
-    periods (tests/motion/test_real.py); the error grows like t^1.5. The bob is on the sphere and
-    its velocity tangent to it, to rounding, at every step. Speeds below 1e-9 lω0 feel quadratic
+    periods (tests/motion/real/test_real.py); the error grows like t^1.5. The bob is on the sphere
+    and its velocity tangent to it, to rounding, at every step. Speeds below 1e-9 lω0 feel quadratic
     drag as if they were that fast.
     Every request is integrated from t = 0, or goes on from where the last one stopped if it begins
     no earlier; the result is the same. Memory does not grow with the span.

@@ -35,8 +35,8 @@ class Spectrum:
 
     Notes
     -----
-    Error: 4e-15 of the largest amplitude (tests/motion/test_spectrum.py). Source: the residue of
-    x + iy at its double pole in the complex plane of time; see crates/kugelpendel/src/spectrum.rs.
+    Error: 4e-15 of the largest amplitude (tests/motion/exact/test_spectrum.py). Source: the residue
+    of x + iy at its double pole in the complex plane of time; see crates/kugelpendel/src/spectrum.rs.
     """
 
     order: NDArray[np.int32]

@@ -1,0 +1,1 @@
+"""kugelpendel compare: all motions of the paper beside the exact one."""

@@ -1,0 +1,1 @@
+"""kugelpendel derive: the derivation, and its check."""

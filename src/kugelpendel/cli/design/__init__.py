@@ -1,0 +1,1 @@
+"""kugelpendel design: what a builder asks."""

@@ -1,0 +1,123 @@
+"""``kugelpendel design``: the answers to what a builder asks."""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import kugelpendel as kp
+from kugelpendel import plot
+from kugelpendel.cli.design.design_file import read_questions
+from kugelpendel.cli.design.report import print_design
+from kugelpendel.cli.output import staged
+from kugelpendel.cli.terminal.progress import Progress
+
+if TYPE_CHECKING:
+    from kugelpendel.cli.design.design_file import Questions
+
+FIGURE = "design.png"
+RESULTS = "design.json"
+
+
+def design(file: Path, folder: Path | None, as_json: bool, checked: bool) -> None:
+    """Answer what a file asks.
+
+    Parameters
+    ----------
+    file : Path
+        The file.
+    folder : Path or None
+        Where the files go; ``out/`` and the name of the file, unless given.
+    as_json : bool
+        Print the results as JSON in place of the tables.
+    checked : bool
+        Whether the full equations are run beside the formulas.
+
+    Raises
+    ------
+    InvalidInput
+        Anything wrong with the file or the folder. Nothing is left half-written.
+    """
+    questions = read_questions(file)
+    try:
+        found = _answered(questions, checked)
+    except kp.InvalidInput as error:
+        raise kp.InvalidInput(f"{file}: {error}") from error
+    target = folder if folder is not None else Path("out") / file.stem
+    results = _as_json(questions, found)
+    with staged(target, (FIGURE, RESULTS)) as temporary:
+        plot.save(plot.design(found, file.stem.replace("-", " ")), temporary / FIGURE)
+        (temporary / RESULTS).write_text(results, encoding="utf-8")
+    if as_json:
+        sys.stdout.write(results)
+    else:
+        print_design(questions, found)
+        print(f"\nIn {target}: {FIGURE}, {RESULTS}")
+
+
+def _answered(questions: Questions, checked: bool) -> kp.Design:
+    setup = questions.setup
+    with Progress("Running the checks", 1000) as progress:
+        shown = 0
+
+        def done(taken: int, steps: int) -> None:
+            nonlocal shown
+            now = 1000 * taken // steps
+            progress.advance(now - shown)
+            shown = now
+
+        return kp.design(
+            setup.pendulum,
+            questions.a,
+            questions.b,
+            azimuth=questions.azimuth,
+            site=setup.site,
+            drag=setup.drag,
+            suspension=setup.suspension,
+            bob=setup.bob,
+            drive=setup.drive,
+            wire=questions.wire,
+            share=questions.share,
+            after=questions.after,
+            radius=questions.radius,
+            time=questions.time,
+            checked=checked,
+            done=done,
+        )
+
+
+def _as_json(questions: Questions, found: kp.Design) -> str:
+    tables: dict[str, Any] = {
+        "about": "kugelpendel: what a builder asks; SI units, named beside each value; rates and "
+        "the sign of b are positive counter-clockwise seen from above; measured is by the full "
+        "equations; null is never, or not there",
+        "file": questions.file.name,
+        "swing": {"a_m": found.case.a, "b_m": found.case.b, "azimuth_rad": found.case.azimuth},
+        "rates_at_the_start_rad_per_s": found.rates,
+        "answers": [_answer(answer) for answer in found.answers],
+    }
+    return json.dumps(tables, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _answer(answer: kp.Answer) -> dict[str, Any]:
+    check = answer.check
+    return {
+        "group": answer.group,
+        "name": answer.name,
+        "value": answer.value if math.isfinite(answer.value) else None,
+        "unit": answer.unit,
+        "formula": answer.formula,
+        "source": answer.source,
+        "note": answer.note or None,
+        "check": None
+        if check is None
+        else {
+            "expected": check.expected,
+            "measured": check.measured,
+            "difference": check.difference,
+            "how": check.how,
+        },
+    }

@@ -1,0 +1,1 @@
+"""kugelpendel run: the main job, of an ideal or a real pendulum."""

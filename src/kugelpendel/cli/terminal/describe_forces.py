@@ -1,0 +1,89 @@
+"""Site, drag, suspension, bob and drive as a reader would say them."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from kugelpendel.cli.terminal.describe import degrees, given, minus
+from kugelpendel.plot import spell, unit_for
+
+if TYPE_CHECKING:
+    import kugelpendel as kp
+    from kugelpendel.cli.job_file.forces import Setup
+
+
+def describe_surroundings(setup: Setup) -> list[tuple[str, str]]:
+    """A name and a phrase for each table that the job has."""
+    frequency = float(setup.pendulum.angular_frequency)
+    lines: list[tuple[str, str]] = []
+    if setup.site is not None:
+        lines.append(("Site", _site(setup.site)))
+    if setup.drag is not None:
+        lines.append(("Drag", _drag(setup.drag, frequency)))
+    if setup.suspension is not None:
+        parts = _suspension(setup.suspension, frequency)
+        lines += zip(("Suspension", ""), parts, strict=False)
+    if setup.bob is not None:
+        lines.append(("Bob", _bob(setup.bob)))
+    if setup.drive is not None:
+        lines.append(("Drive", _drive(setup.drive)))
+    return lines
+
+
+def _site(site: kp.Site) -> str:
+    latitude = float(site.latitude)
+    side = "N" if latitude >= 0 else "S"
+    source = "as given" if site.gravity_given else "WGS84 normal gravity"
+    return f"{degrees(abs(latitude))} {side}, g = {float(site.gravity):.6g} m/s² ({source})"
+
+
+def _drag(drag: kp.Drag, frequency: float) -> str:
+    linear, quadratic = float(drag.linear), float(drag.quadratic)
+    parts: list[str] = []
+    if linear:
+        half_life = spell(math.log(2) / linear, "s")
+        parts.append(
+            f"linear, amplitude halves in {half_life} "
+            f"(γ = {_plain(linear)} 1/s, Q = {frequency / (2 * linear):.4g})"
+        )
+    if quadratic:
+        parts.append(f"quadratic, c = {_plain(quadratic)} 1/m")
+    return "; ".join(parts) or "none"
+
+
+def _suspension(suspension: kp.Suspension, frequency: float) -> list[str]:
+    stiffness, axis, damping, damping_axis = (float(value) for value in suspension.values)
+    parts: list[str] = []
+    if stiffness:
+        way = "faster" if stiffness > 0 else "slower"
+        share = _plain(abs(stiffness) / frequency)
+        parts.append(
+            f"{way} by {share} along {degrees(axis)} than across (δ = {_plain(stiffness)} rad/s)"
+        )
+    if damping:
+        parts.append(f"decay {_plain(damping)} 1/s faster along {degrees(damping_axis)}")
+    return parts or ["alike in all directions"]
+
+
+def _bob(bob: kp.Bob) -> str:
+    thread = float(bob.thread_mass)
+    on = f" on a thread of {given(thread, 'kg')}" if thread else ""
+    radius, mass = spell(float(bob.radius), "m"), spell(float(bob.mass), "kg")
+    return f"ball of {radius} radius, {float(bob.density):.6g} kg/m³, {mass}{on}"
+
+
+def _drive(drive: kp.Drive) -> str:
+    push = float(drive.push)
+    way = "outwards" if push > 0 else "inwards"
+    unit = unit_for(push, "m/s")
+    strength = f"{abs(push) / unit.size:.4g} {unit.symbol}"
+    if drive.phase is not None:
+        when = f"{degrees(float(drive.phase))} of phase after each closest approach"
+    else:
+        when = f"on the way out, {given(float(drive.radius or 0.0), 'm')} from the axis"
+    return f"{strength} {way}, {when}"
+
+
+def _plain(value: float) -> str:
+    return minus(f"{value:.4g}")
