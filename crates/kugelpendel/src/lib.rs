@@ -11,64 +11,35 @@
 //! Conventions: SI; the support at the origin, `z` down, so that the bob rests at (0, 0, l); azimuths, precession and
 //! angular momentum positive counter-clockwise seen from above.
 
-// Reading order. What is given: pendulum, launch (→ state), forces. What follows from it: invariants (cubic, zeta; block
-// for many), exact (their names in SI), tension. How it moves: clock (phase), chart (trigonometric or hyperbolic, of
-// elliptic's arguments, both made of shape), spectrum. Many times and many motions: times, rotations, plan, series,
-// sampling, ensemble, blocks. The real pendulum: sphere (its equations), taylor, events, walk (step by step), real. The
-// paper's approximations: harmonic; equations, integrated. Underneath: arithmetic, double_double, turns, invalid.
-mod arithmetic;
-mod block;
-mod blocks;
-mod chart;
-mod clock;
-mod cubic;
-mod double_double;
-mod elliptic;
-mod ensemble;
+// Reading order. What is given: `given` (pendulum, launch, forces, times, and what is said of bad ones). The closed form:
+// `exact`, with the constants of a motion in its `invariants` and the functions of time in its `theta`. Many times and
+// many motions: `sampling`. The real pendulum: `taylor` integrates, `real` has its equations step by step, `envelope` their
+// average. The paper's approximations: `paper`. Underneath: `numbers`.
 mod envelope;
-mod equations;
-mod events;
 mod exact;
-mod forces;
-mod harmonic;
-mod hyperbolic;
-mod integrated;
-mod invalid;
-mod invariants;
-mod launch;
-mod pendulum;
-mod plan;
+mod given;
+mod numbers;
+mod paper;
 mod real;
-mod rotations;
 mod sampling;
-mod series;
-mod shape;
-mod spectrum;
-mod sphere;
 mod taylor;
-mod tension;
-mod times;
-mod trigonometric;
-mod turns;
-mod walk;
-mod zeta;
 
 #[cfg(test)]
 mod tests;
 
-pub use arithmetic::fused;
-pub use ensemble::Ensemble;
 pub use envelope::{Envelope, EnvelopeMotion, EnvelopeWalks};
-pub use equations::Equation;
-pub use events::Event;
-pub use exact::ExactMotion;
-pub use forces::{Drive, Forces, Thread};
-pub use harmonic::{HarmonicMotion, MAX_POWER, Powers};
-pub use integrated::IntegratedMotion;
-pub use invalid::Invalid;
-pub use launch::{Launch, TOLERANCE};
-pub use pendulum::Pendulum;
-pub use real::{Halt, RealMotion, Stop, Walks};
+pub use exact::ensemble::Ensemble;
+pub use exact::motion::ExactMotion;
+pub use given::forces::{Drive, Forces, Thread};
+pub use given::invalid::Invalid;
+pub use given::launch::{Launch, TOLERANCE};
+pub use given::pendulum::Pendulum;
+pub use numbers::arithmetic::fused;
+pub use paper::equations::Equation;
+pub use paper::harmonic::{HarmonicMotion, MAX_POWER, Powers};
+pub use paper::integrated::IntegratedMotion;
+pub use real::motion::{Halt, RealMotion, Stop, Walks};
+pub use taylor::events::Event;
 
-pub use spectrum::{Harmonic, Spectrum};
-pub use times::{Quantity, Times};
+pub use exact::spectrum::{Harmonic, Spectrum};
+pub use given::times::{Quantity, Times};

@@ -1,14 +1,14 @@
 //! What only the inside can show: the two arithmetics, the two ways through the iterations, double-double itself.
 
-use crate::arithmetic::{Arithmetic, Fused, Portable, two_prod_split};
-use crate::double_double::Dd;
-use crate::exact::{ExactMotion, solve_with};
-use crate::invariants::Invariants;
-use crate::launch::Launch;
-use crate::pendulum::Pendulum;
-use crate::plan::Plan;
-use crate::sampling::fill_part_with;
-use crate::times::{Quantity, Times};
+use crate::exact::invariants::constants::Invariants;
+use crate::exact::motion::{ExactMotion, solve_with};
+use crate::exact::plan::Plan;
+use crate::exact::sampling::fill_part_with;
+use crate::given::launch::Launch;
+use crate::given::pendulum::Pendulum;
+use crate::given::times::{Quantity, Times};
+use crate::numbers::arithmetic::{Arithmetic, Fused, Portable, two_prod_split};
+use crate::numbers::double_double::Dd;
 use std::f64::consts::PI;
 
 const PENDULUM: Pendulum = Pendulum { length: 1.3, gravity: 9.81, mass: 2.0 };

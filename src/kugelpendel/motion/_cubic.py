@@ -13,8 +13,8 @@ class CubicMotion(IntegratedMotion):
 
     Olsson (1981), eqs. (13a), (13b). Integration error: 1e-12 l over 100 swings
     (tests/motion/approximations/test_integrated.py). Where the bob reaches the height of the
-    support the motion would leave the sphere: `span` ends there. Raises InvalidInput for a launch on the upper half
-    of the sphere; in an ensemble such a case is NaN.
+    support the motion would leave the sphere: `span` ends there. Raises InvalidInput for a
+    launch on the upper half of the sphere; in an ensemble such a case is NaN.
     """
 
     _equation = "cubic"

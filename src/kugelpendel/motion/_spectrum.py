@@ -36,7 +36,7 @@ class Spectrum:
     Notes
     -----
     Error: 4e-15 of the largest amplitude (tests/motion/exact/test_spectrum.py). Source: the residue
-    of x + iy at its double pole in the complex plane of time; see crates/kugelpendel/src/spectrum.rs.
+    of x + iy at its double pole in the complex plane of time; see the core, exact/spectrum.rs.
     """
 
     order: NDArray[np.int32]

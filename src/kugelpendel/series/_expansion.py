@@ -9,7 +9,7 @@ c_n = (2n choose n)/4ⁿ and M_n = Σ_{i+j=n} c_i c_j ŝ_aⁱ ŝ_bʲ, the mean o
     1/ω = √r Σ c_n rⁿ M_n,      Ω/ω = αβ/(4√(d_a d_b)) Σ M_n Σ_{k≤n+1} c_k rᵏ.
 
 The harmonics follow from the residue at the double pole of x + iy in the complex plane of time
-(crates/kugelpendel/src/spectrum.rs). With the nome q = XY, and from a highest point on,
+(the core, exact/spectrum.rs). With the nome q = XY, and from a highest point on,
 
     x + iy = e^{iΩt} Σ_{k≥0} (−1)ᵏ (P_k e^{i(2k+1)ωt} + N_k e^{−i(2k+1)ωt}),
     P_k = 4ω((2k+1)ω + Ω) X qᵏ/(1 + X² q^{2k}),   N_k = 4ω((2k+1)ω − Ω) Y qᵏ/(1 + Y² q^{2k}),

@@ -1,6 +1,6 @@
 //! Frequency and precession of the ideal motion between two turning radii, and what linear drag does to them, in binary64.
 //!
-//! The sums are those of [`crate::zeta`] and [`crate::invariants`]; here they are taken thousands of times, and the
+//! The sums are those of [`crate::exact::invariants::zeta`] and [`crate::exact::invariants::constants`]; here they are taken thousands of times, and the
 //! last bits do not matter. Regular on the circle (one of the circular amplitudes 0) and in the plane (both alike).
 
 use std::f64::consts::FRAC_1_SQRT_2;

@@ -8,9 +8,9 @@
 use super::drag::Quadratic;
 use super::ideal::Ideal;
 use super::push::averaged;
-use crate::arithmetic::Portable;
-use crate::forces::{Drive, Forces};
-use crate::shape::product;
+use crate::exact::theta::shape::product;
+use crate::given::forces::{Drive, Forces};
+use crate::numbers::arithmetic::Portable;
 
 type Complex = [f64; 2];
 

@@ -1,0 +1,51 @@
+//! The pendulum itself: a point mass on a massless thread.
+
+use crate::given::invalid::{Invalid, require};
+use crate::numbers::arithmetic::Arithmetic;
+use crate::numbers::double_double::Dd;
+
+/// Its length, where it hangs, and what hangs on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pendulum {
+    /// m, from the support to the bob's centre.
+    pub length: f64,
+    /// m/s².
+    pub gravity: f64,
+    /// kg; scales the tension and nothing else.
+    pub mass: f64,
+}
+
+impl Pendulum {
+    /// # Errors
+    /// A length, gravity or mass that is not positive and finite.
+    pub fn check(&self) -> Result<(), Invalid> {
+        let good = |value: f64| value > 0.0 && value.is_finite();
+        require!(
+            good(self.length),
+            "The pendulum's length must be positive and finite, but it is {} m; give the distance from the support \
+             to the bob's centre in metres.",
+            self.length
+        );
+        require!(
+            good(self.gravity),
+            "Gravity must be positive and finite, but it is {} m/s²; leave it out for the standard 9.80665 m/s².",
+            self.gravity
+        );
+        require!(
+            good(self.mass),
+            "The bob's mass must be positive and finite, but it is {} kg; leave it out for 1 kg.",
+            self.mass
+        );
+        Ok(())
+    }
+
+    /// ω0 = √(g/l), rad/s: the frequency of infinitesimal swings.
+    pub fn angular_frequency(&self) -> f64 {
+        (self.gravity / self.length).sqrt()
+    }
+
+    #[inline(always)]
+    pub(crate) fn precise_angular_frequency<A: Arithmetic>(&self) -> Dd<A> {
+        (Dd::from(self.gravity) / Dd::from(self.length)).sqrt()
+    }
+}

@@ -1,0 +1,69 @@
+//! What is asked for, and when.
+
+use crate::numbers::arithmetic::Arithmetic;
+use crate::numbers::double_double::{Dd, Pair};
+
+/// What is written, three numbers to a time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// x, y, z in m.
+    Position,
+    /// Their rates in m/s.
+    Velocity,
+}
+
+/// When.
+#[derive(Clone, Copy, Debug)]
+pub enum Times<'a> {
+    /// Any times, s.
+    Scattered(&'a [f64]),
+    /// start + step·k for k = first, first + 1, …: the sum is taken exactly, not rounded to a binary64 time.
+    Grid {
+        /// s.
+        start: f64,
+        /// s.
+        step: f64,
+        /// Index of the first time wanted.
+        first: usize,
+    },
+}
+
+impl Times<'_> {
+    #[inline(always)]
+    pub(crate) fn at<A: Arithmetic>(&self, index: usize) -> Pair {
+        match *self {
+            Times::Scattered(times) => Pair { hi: times[index], lo: 0.0 },
+            Times::Grid { start, step, first } => {
+                (Dd::<A>::product(step, (first + index) as f64) + Dd::from(start)).pair()
+            }
+        }
+    }
+
+    #[cfg(feature = "threads")]
+    pub(crate) fn from(&self, index: usize) -> Self {
+        match *self {
+            Times::Scattered(times) => Times::Scattered(&times[index..]),
+            Times::Grid { start, step, first } => Times::Grid { start, step, first: first + index },
+        }
+    }
+}
+
+/// Hands the indices of the times to a sweep that goes forwards from t = 0 (side 0) and to one that goes backwards
+/// (side 1), each in its order.
+///
+/// # Errors
+/// The first of the two.
+pub(crate) fn both_ways<E>(
+    times: &[f64],
+    mut sweep: impl FnMut(usize, &mut dyn Iterator<Item = usize>) -> Result<(), E>,
+) -> Result<(), E> {
+    // Times in order need no list of their indices, which would take as much memory as they do.
+    if times.is_sorted() && times.first().is_some_and(|first| *first >= 0.0) {
+        return sweep(0, &mut (0..times.len()));
+    }
+    let mut order: Vec<usize> = (0..times.len()).collect();
+    order.sort_by(|a, b| times[*a].total_cmp(&times[*b]));
+    let (behind, ahead) = order.split_at(order.partition_point(|index| times[*index] < 0.0));
+    let ahead = sweep(0, &mut ahead.iter().copied());
+    ahead.and(sweep(1, &mut behind.iter().rev().copied()))
+}

@@ -1,0 +1,6 @@
+//! Arithmetic underneath: vectors of the processor, double-double numbers, angles in turns, elliptic arguments.
+
+pub(crate) mod arithmetic;
+pub(crate) mod double_double;
+pub(crate) mod elliptic;
+pub(crate) mod turns;

@@ -1,0 +1,70 @@
+//! Olsson's equations of motion in the plan view, as recurrences for Taylor coefficients.
+//!
+//! Dimensionless: lengths in l, time in 1/ω0. Both read r̈ = −Λ r with r = (x, y).
+
+use crate::numbers::arithmetic::Arithmetic;
+use crate::taylor::series::{Coefficients, Law, Point, RECIPROCALS, Series, dot, inner_terms, product, square, total};
+
+/// Which.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Equation {
+    /// (12), exact on the lower half: Λ = (r·ṙ)²/(1 − ρ²) + ṙ² + √(1 − ρ²), the first term of fourth order (the paper
+    /// prints it with l² for l⁴).
+    Plane,
+    /// (13), to third order: Λ = 1 − ρ²/2 + ṙ².
+    Cubic,
+}
+
+impl Equation {
+    /// Both end at the support's level: (12) divides by the depth below it, (13) would leave the sphere.
+    pub(crate) fn holds(self, point: &Point) -> bool {
+        let [x, y, _, _] = point.place;
+        x * x + y * y < 1.0
+    }
+}
+
+/// What Λ is made of.
+#[derive(Default)]
+pub(crate) struct Work {
+    /// r·ṙ/depth.
+    ratio: Coefficients,
+    pull: Coefficients,
+}
+
+impl<A: Arithmetic> Law<A> for Equation {
+    type Work = Work;
+
+    /// The guard is the depth below the support or, for (13), its square: the depth itself goes through zero, its square
+    /// does not, so where there is the depth, it shows the end.
+    #[inline(always)]
+    fn next_order<const K: usize>(&self, series: &mut Series, work: &mut Work) {
+        let Series { place, rate, guard, .. } = series;
+        let Work { ratio, pull } = work;
+        let one = if K == 0 { 1.0 } else { 0.0 };
+        let radius_squared = square::<A, K>(place);
+        let speed_squared = square::<A, K>(rate);
+        let depth_squared = one - radius_squared;
+        pull[K] = match self {
+            Self::Cubic => {
+                guard[K] = depth_squared;
+                speed_squared - 0.5 * radius_squared + one
+            }
+            Self::Plane => {
+                let outward = total(&dot::<A, K>(place, rate));
+                if K == 0 {
+                    guard[0] = depth_squared.sqrt();
+                    ratio[0] = outward / guard[0];
+                } else {
+                    guard[K] = (depth_squared - inner_terms::<A, K>(guard, guard)) / (2.0 * guard[0]);
+                    let known = inner_terms::<A, K>(guard, ratio) + guard[K] * ratio[0];
+                    ratio[K] = (outward - known) / guard[0];
+                }
+                let ends = if K == 0 { ratio[0] * ratio[0] } else { 2.0 * ratio[0] * ratio[K] };
+                inner_terms::<A, K>(ratio, ratio) + ends + speed_squared + guard[K]
+            }
+        };
+        let turned = product::<A, K>(pull, place);
+        place[K + 1] = rate[K].map(|v| v * RECIPROCALS[K + 1]);
+        rate[K + 1] = turned.map(|f| -f * RECIPROCALS[K + 1]);
+    }
+}

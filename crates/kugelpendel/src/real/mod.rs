@@ -1,0 +1,5 @@
+//! The real pendulum: the full equations, step by step.
+
+pub(crate) mod motion;
+pub(crate) mod sphere;
+pub(crate) mod walk;

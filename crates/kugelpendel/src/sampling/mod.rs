@@ -1,0 +1,4 @@
+//! Many times at once, whatever the motion.
+
+pub(crate) mod blocks;
+pub(crate) mod rotations;
