@@ -13,7 +13,7 @@ import pytest
 from kugelpendel import paper
 from kugelpendel.paper.typeset import latex, mathml, unicode
 from kugelpendel.paper.typeset.difference import difference
-from kugelpendel.paper.typeset.tex import Marked, Row, UnknownTeX, read
+from kugelpendel.paper.typeset.tex import Marked, MathList, UnknownTeX, read
 
 LANGUAGES = ("de", "en")
 FORMS = ("html", "md", "latex", "text")
@@ -70,7 +70,7 @@ def test_misprints_are_marked_in_place(language: str) -> None:
             assert _marks(right) or _marks(difference(formula.printed, formula.right)[0])
 
 
-def _marks(row: Row) -> int:
+def _marks(row: MathList) -> int:
     return repr(row).count(Marked.__name__)
 
 

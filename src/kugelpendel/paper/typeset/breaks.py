@@ -12,10 +12,10 @@ from kugelpendel.paper.typeset.tex import (
     Fence,
     Fraction,
     Marked,
+    MathList,
     Matrix,
     Node,
     Root,
-    Row,
     Script,
 )
 
@@ -45,12 +45,12 @@ def pieces(items: Piece) -> list[Piece]:
 
 def lines(items: Piece, room: float) -> list[Piece]:
     """Fill lines with pieces; `room` is a width as `width` counts it."""
-    if width(Row(items)) <= room:
+    if width(MathList(items)) <= room:
         return [items]
     found: list[list[Node]] = [[]]
     used = 0.0
     for piece in pieces(items):
-        needed = width(Row(piece))
+        needed = width(MathList(piece))
         if found[-1] and used + needed > room:
             found.append([])
             used = 0.0
@@ -77,7 +77,7 @@ def width(node: Node) -> float:
             return 2.0 if text in "+−" or text in RELATIONS else 1.0
         case Atom(text=text):
             return len(text)
-        case Row(items):
+        case MathList(items):
             return sum(width(item) for item in items)
         case Fraction(above, below):
             return max(width(above), width(below))
@@ -102,7 +102,7 @@ def width(node: Node) -> float:
 def _opened(piece: Piece) -> list[Piece]:
     """Break a piece inside its widest bracket when it is too long for a narrow page."""
     fences = [item for item in piece if isinstance(item, Fence)]
-    if width(Row(piece)) <= _LONG or not fences:
+    if width(MathList(piece)) <= _LONG or not fences:
         return [piece]
     fence = max(fences, key=width)
     inner = pieces(fence.inner.items)
@@ -125,14 +125,14 @@ def _is_end(piece: Sequence[Node]) -> bool:
 
 
 def _needs_own_line(rest: Sequence[Node]) -> bool:
-    return width(Row(tuple(rest))) > _LONG / 2
+    return width(MathList(tuple(rest))) > _LONG / 2
 
 
 def _is_high(node: Node) -> bool:
     match node:
         case Fraction() | Matrix():
             return True
-        case Row(items):
+        case MathList(items):
             return any(_is_high(item) for item in items)
         case Fence(inner=inner) | Marked(inner=inner):
             return _is_high(inner)

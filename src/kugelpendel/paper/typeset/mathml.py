@@ -14,10 +14,10 @@ from kugelpendel.paper.typeset.tex import (
     Fence,
     Fraction,
     Marked,
+    MathList,
     Matrix,
     Node,
     Root,
-    Row,
     Script,
     read,
 )
@@ -49,12 +49,12 @@ def display(source: str) -> str:
     return written(read(source))
 
 
-def written(row: Row) -> str:
+def written(row: MathList) -> str:
     """The same of a formula that has been read, and perhaps marked, already."""
     return _pieces(row, display=True)
 
 
-def _pieces(row: Row, display: bool) -> str:
+def _pieces(row: MathList, display: bool) -> str:
     if not row.items:
         return ""
     first, *others = pieces(row.items)
@@ -135,7 +135,7 @@ def _node(node: Node) -> str:
     match node:
         case Atom():
             return _atom(node)
-        case Row(items):
+        case MathList(items):
             return f"<mrow>{_row(items)}</mrow>"
         case Fraction(above, below):
             return f"<mfrac>{_group(above)}{_group(below)}</mfrac>"

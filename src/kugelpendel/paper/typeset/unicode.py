@@ -15,10 +15,10 @@ from kugelpendel.paper.typeset.tex import (
     Fence,
     Fraction,
     Marked,
+    MathList,
     Matrix,
     Node,
     Root,
-    Row,
     Script,
     read,
 )
@@ -49,10 +49,10 @@ def _continued(line: str) -> str:
 
 def written(items: Piece) -> str:
     """Text of things that have been read already."""
-    return normalize("NFC", " ".join(_row(Row(items)).split()))
+    return normalize("NFC", " ".join(_row(MathList(items)).split()))
 
 
-def _row(row: Row) -> str:
+def _row(row: MathList) -> str:
     written = ""
     before: Node | None = None
     for item in row.items:
@@ -115,7 +115,7 @@ def _node(node: Node) -> str:
             return " "
         case Atom(text=text):
             return text
-        case Row():
+        case MathList():
             return _row(node)
         case Fraction(above, below):
             return f"{_operand(above)}/{_divisor(below)}"
@@ -145,7 +145,7 @@ def _operand(node: Node) -> str:
 def _divisor(node: Node) -> str:
     """What is divided by: a product in brackets, but for the dt of d/dt."""
     text = _node(node).strip()
-    is_product = isinstance(node, Row) and len(node.items) > 1
+    is_product = isinstance(node, MathList) and len(node.items) > 1
     return f"({text})" if is_product and text != "dt" else text
 
 
