@@ -10,8 +10,8 @@ from kugelpendel.paper.document.graph_svg import Box, contracted, draw
 from kugelpendel.paper.document.html_display import article
 from kugelpendel.paper.document.html_pen import HtmlPen, table
 from kugelpendel.paper.document.outline import counts, graph
+from kugelpendel.paper.document.prose import sentence
 from kugelpendel.paper.document.tables import conditions, misprints
-from kugelpendel.paper.typeset.unicode import sentence
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

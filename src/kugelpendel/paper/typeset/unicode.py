@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 from unicodedata import normalize
 
-from kugelpendel.paper.document.prose import spans
 from kugelpendel.paper.typeset.breaks import lines
 from kugelpendel.paper.typeset.tex import (
     RELATIONS,
@@ -163,17 +162,3 @@ def _script(node: Script) -> str:
         fits = all(sign in "0123456789+−n" for sign in above)
         text += small if fits else f"^({above})"
     return text
-
-
-def sentence(source: str) -> str:
-    """A sentence of the wording as plain text, with references in brackets."""
-    written_spans: list[str] = []
-    for span in spans(source):
-        match span.kind:
-            case "math":
-                written_spans.append(plain(span.text))
-            case "link":
-                written_spans.append(f"({span.text})")
-            case _:
-                written_spans.append(span.text)
-    return "".join(written_spans)
