@@ -194,7 +194,7 @@ def _script(node: Script) -> str:
     if node.below is not None:
         return f"<msub>{base}{_group(node.below)}</msub>{after}"
     assert node.above is not None
-    if isinstance(node.base, Accent):
+    if isinstance(node.base.inner if isinstance(node.base, Marked) else node.base, Accent):
         # Otherwise the exponent would be set above the dot.
         base = f'<mpadded height="0.62em">{base}</mpadded>'
     return f"<msup>{base}{_group(node.above)}</msup>{after}"
