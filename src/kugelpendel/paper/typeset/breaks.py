@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 Piece = tuple[Node, ...]
-"""Things that stay on one line."""
+"""What stays on one line: things side by side."""
 
 _LONG = 26
 """How wide a piece may be before its bracket is opened; that much fits on a page of 360 px."""
@@ -44,7 +44,10 @@ def pieces(items: Piece) -> list[Piece]:
 
 
 def lines(items: Piece, room: float) -> list[Piece]:
-    """Fill lines with pieces; `room` is a width as `width` counts it."""
+    """Fill lines with pieces; `room` is the most that `width` may count in a line.
+
+    A piece that is wider than that stands alone on its line.
+    """
     if width(MathList(items)) <= room:
         return [items]
     found: list[list[Node]] = [[]]
@@ -60,7 +63,7 @@ def lines(items: Piece, room: float) -> list[Piece]:
 
 
 def is_break(node: Node) -> bool:
-    """Whether a line may end before this sign."""
+    """Tell whether a line may end before this sign."""
     if isinstance(node, Marked):
         return is_break(node.inner)
     if not isinstance(node, Atom) or node.kind != "operator":
@@ -69,7 +72,7 @@ def is_break(node: Node) -> bool:
 
 
 def width(node: Node) -> float:
-    """Roughly how many signs wide something is."""
+    """Estimate how many signs wide something is: a letter counts 1, + counts 2 with its spaces."""
     match node:
         case Atom(kind="space"):
             return float(node.text)
