@@ -142,3 +142,14 @@ def test_formulas_stay_in_their_column(opened: webdriver.Chrome) -> None:
         ").map(cell => cell.textContent)"
     )
     assert over == []
+
+
+def test_few_formulas_need_to_be_scrolled(opened: webdriver.Chrome) -> None:
+    opened.find_element(By.CSS_SELECTOR, 'button[data-open="yes"]').click()
+    over = opened.execute_script(
+        "return [...document.querySelectorAll('main .formula')].map(formula =>"
+        "  formula.scrollWidth - formula.clientWidth).filter(hidden => hidden > 0)"
+    )
+    is_narrow = opened.execute_script("return innerWidth < 500")
+    assert len(over) <= (5 if is_narrow else 0)
+    assert all(hidden < 40 for hidden in over)
