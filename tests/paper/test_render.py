@@ -196,6 +196,8 @@ def test_latex_is_sound(language: str, tmp_path: Path) -> None:
     assert opened == []
     plain = re.sub(r"\\[{}]", "", text)
     assert plain.count("{") == plain.count("}")
+    # T1 has these; a Greek letter or a raised number would stop LaTeX
+    assert {sign for sign in text if ord(sign) > 255} <= set("–—‘’‚“”„")
     (tmp_path / "derivation.tex").write_text(text, encoding="utf-8")
     program = shutil.which("pdflatex")
     if program is not None:  # a TeX installation is too large to ask for
