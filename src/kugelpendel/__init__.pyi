@@ -9,10 +9,10 @@ from .motion import ExactMotion as ExactMotion
 from .motion import LinearMotion as LinearMotion
 from .motion import OlssonMotion as OlssonMotion
 from .motion import PlaneMotion as PlaneMotion
+from .motion import PrecessionBudget as PrecessionBudget
 from .motion import RealMotion as RealMotion
 from .motion import SeriesMotion as SeriesMotion
 from .motion import Spectrum as Spectrum
-from .motion import TurningRates as TurningRates
 from .observables import Comparison as Comparison
 from .observables import Validity as Validity
 from .observables import ValidityMap as ValidityMap
@@ -49,12 +49,12 @@ __all__ = [
     "OlssonMotion",
     "Pendulum",
     "PlaneMotion",
+    "PrecessionBudget",
     "RealMotion",
     "SeriesMotion",
     "Site",
     "Spectrum",
     "Suspension",
-    "TurningRates",
     "Validity",
     "ValidityMap",
     "Wire",

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kugelpendel.cli.run.ideal_json import describe_start, to_json
-from kugelpendel.observables import CAUSES
+from kugelpendel.motion import CAUSES
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from kugelpendel.cli.job_file.forces import Setup
     from kugelpendel.cli.job_file.job import Job
     from kugelpendel.cli.run.findings import Findings
-    from kugelpendel.observables import Shares
+    from kugelpendel.motion import PrecessionBudget
 
 _ABOUT = (
     "kugelpendel: a real pendulum, full equations; SI units, named in the keys; azimuths, b and "
@@ -142,7 +142,7 @@ def _swing(found: Findings) -> dict[str, Any]:
     }
 
 
-def _shares(shares: Shares) -> dict[str, Any]:
+def _shares(shares: PrecessionBudget) -> dict[str, Any]:
     total = shares.total
     way = float(np.sign(shares.earth.mean())) or 1.0
     slow, fast = int(np.argmin(way * total)), int(np.argmax(way * total))
