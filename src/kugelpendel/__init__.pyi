@@ -14,6 +14,7 @@ from .motion import RealMotion as RealMotion
 from .motion import SeriesMotion as SeriesMotion
 from .motion import Spectrum as Spectrum
 from .observables import Comparison as Comparison
+from .observables import Portrait as Portrait
 from .observables import Validity as Validity
 from .observables import ValidityMap as ValidityMap
 from .observables import compare as compare
@@ -49,6 +50,7 @@ __all__ = [
     "OlssonMotion",
     "Pendulum",
     "PlaneMotion",
+    "Portrait",
     "PrecessionBudget",
     "RealMotion",
     "SeriesMotion",

@@ -51,10 +51,29 @@ impl Portrait {
         [form.circularity, form.longitude]
     }
 
+    /// a and b over √(a² + b²) of an ellipse of some circularity.
+    #[staticmethod]
+    fn semi_axes(circularity: f64) -> [f64; 2] {
+        EllipseForm { circularity, longitude: 0.0 }.semi_axes()
+    }
+
     fn orbit(&self, circularity: f64, longitude: f64) -> OrbitRow {
         let Orbit { invariant, limits, verdict, period, rate, slowest, fastest, azimuths } =
             self.0.orbit(EllipseForm { circularity, longitude });
         (invariant, limits, word(verdict), period, rate, slowest, fastest, azimuths)
+    }
+
+    /// Circularities and longitudes along the orbit.
+    fn path<'py>(
+        &self,
+        py: Python<'py>,
+        circularity: f64,
+        longitude: f64,
+        count: usize,
+    ) -> (Numbers<'py>, Numbers<'py>) {
+        let path = self.0.path(EllipseForm { circularity, longitude }, count);
+        let column = |number: fn(&EllipseForm) -> f64| path.iter().map(number).collect::<Vec<_>>().into_pyarray(py);
+        (column(|form| form.circularity), column(|form| form.longitude))
     }
 
     /// H at many places.

@@ -103,6 +103,29 @@ fn an_orbit_is_what_its_equations_give() {
 }
 
 #[test]
+fn a_path_keeps_the_invariant_and_goes_the_way_of_the_motion() {
+    let mut numbers = Numbers(12);
+    for _ in 0..60 {
+        let (portrait, start) = random_case(&mut numbers);
+        let path = portrait.path(start, 401);
+        let h = portrait.invariant(start);
+        let scale = portrait.anisotropy.abs() + portrait.intrinsic + portrait.rotation.abs();
+        for pair in path.windows(2) {
+            assert!((portrait.invariant(pair[0]) - h).abs() < 1e-12 * scale, "{portrait:?}, {start:?}");
+            let risen = pair[1].circularity - pair[0].circularity;
+            let rises = portrait.anisotropy * (pair[0].longitude.sin() + pair[1].longitude.sin());
+            assert!(risen * rises >= -1e-12, "{portrait:?}, {pair:?}");
+        }
+    }
+    for rotation in [1.0, -1.0] {
+        let even = Portrait { rotation, anisotropy: 0.0, axis: 0.0, intrinsic: 0.0 };
+        let path = even.path(EllipseForm { circularity: 0.1, longitude: 0.0 }, 5);
+        let ahead: Vec<f64> = path.windows(2).map(|pair| pair[1].longitude - pair[0].longitude).collect();
+        assert!(ahead.iter().all(|step| step * rotation < 0.0), "{path:?}");
+    }
+}
+
+#[test]
 fn slowest_and_fastest_are_passed_on_the_way() {
     let mut numbers = Numbers(8);
     for _ in 0..40 {

@@ -40,6 +40,14 @@ pub struct EllipseForm {
     pub longitude: f64,
 }
 
+impl EllipseForm {
+    /// a and b over √(a² + b²): with u = sin β these are cos ½β and sin ½β.
+    pub fn semi_axes(&self) -> [f64; 2] {
+        let (sin, cos) = (0.5 * self.circularity.asin()).sin_cos();
+        [cos, sin]
+    }
+}
+
 /// What the plane does for ever after, without drag and drive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
@@ -148,6 +156,26 @@ impl Portrait {
             self.reach(h, limits, sides[0], start)
         };
         Orbit { invariant: h, limits, verdict, period, rate: sense * PI / period, slowest, fastest, azimuths }
+    }
+
+    /// So many places along the orbit of a shape, at least 2, once round in the sense in which it is run through; longitudes
+    /// from −π to π. Evenly apart in an angle that goes round the orbit, not in time.
+    pub fn path(&self, start: EllipseForm, count: usize) -> Vec<EllipseForm> {
+        let Orbit { invariant, limits: [low, high], rate, .. } = self.orbit(start);
+        let turn = |k: usize| TAU * k as f64 / (count.max(2) - 1) as f64;
+        let place = |k: usize| {
+            if self.anisotropy == 0.0 {
+                let longitude = (PI - turn(k)).copysign((PI - turn(k)) * -rate.signum());
+                return EllipseForm { circularity: start.circularity, longitude };
+            }
+            let (sin, cos) = turn(k).sin_cos();
+            let u = 0.5 * ((low + high) - (high - low) * cos);
+            let g = value(&[invariant, 2.0 * self.rotation, -0.5 * self.intrinsic], u);
+            let cosine = (g / (self.anisotropy * straightness(u))).clamp(-1.0, 1.0);
+            // u grows where δ sin φ > 0.
+            EllipseForm { circularity: u, longitude: cosine.acos().copysign(sin * self.anisotropy) }
+        };
+        (0..count).map(place).collect()
     }
 
     /// Without a clamp the ellipse keeps its shape.
