@@ -1,7 +1,7 @@
 from . import series as series
-from .builder import Answer as Answer
-from .builder import Check as Check
 from .builder import Design as Design
+from .builder import DesignAnswer as DesignAnswer
+from .builder import DesignCheck as DesignCheck
 from .builder import design as design
 from .motion import CubicMotion as CubicMotion
 from .motion import EnvelopeMotion as EnvelopeMotion
@@ -34,12 +34,12 @@ from .parameters import Suspension as Suspension
 from .parameters import Wire as Wire
 
 __all__ = [
-    "Answer",
     "Bob",
-    "Check",
     "Comparison",
     "CubicMotion",
     "Design",
+    "DesignAnswer",
+    "DesignCheck",
     "Drag",
     "Drive",
     "EnvelopeMotion",

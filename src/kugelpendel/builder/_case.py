@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from kugelpendel import _core
 from kugelpendel.motion import ExactMotion, RealMotion
 from kugelpendel.parameters import (
     Bob,
@@ -19,6 +20,9 @@ from kugelpendel.parameters import (
     Suspension,
     Wire,
 )
+
+MOST_SWINGS = 100_000
+"""A run of more swings would take more than some seconds, and is left out."""
 
 _FINE, _COARSE = 1e-17, 1e-12
 """Tolerances: the coarse one is for many swings whose phase nobody asks for."""
@@ -82,14 +86,14 @@ class Case:
         return float(self.effective.angular_frequency)
 
     @cached_property
-    def ideal(self) -> ExactMotion:
+    def exact(self) -> ExactMotion:
         """The swing without Earth, air or suspension."""
         return ExactMotion(self.effective, Launch.apsides(self.a, self.b, self.azimuth))
 
     @property
     def swing(self) -> float:
         """Period of the swing, there and back, s."""
-        return 2 * float(self.ideal.radial_period)
+        return 2 * float(self.exact.radial_period)
 
     @property
     def earth(self) -> float:
@@ -107,21 +111,57 @@ class Case:
         level = float(self.site.horizontal_rotation) * math.sin(self.azimuth)
         return self.earth * a - 2 / 3 * a**2 / self.length * level
 
+    @cached_property
+    def fading(self) -> _core.Decay:
+        """How the drag takes from a plane swing: a' = −γa − ka², k = (4/3π) c ω0."""
+        linear, quadratic = (0.0, 0.0) if self.drag is None else self.drag.values
+        return _core.Decay(float(linear), float(quadratic), self.omega)
+
     @property
     def linear(self) -> float:
         """γ, 1/s."""
         return 0.0 if self.drag is None else float(self.drag.linear)
 
     @property
-    def square(self) -> float:
-        """Of the quadratic drag: a' = −γa − ka² of a plane swing, k = (4/3π) c ω0, 1/(m s)."""
-        quadratic = 0.0 if self.drag is None else float(self.drag.quadratic)
-        return 4 / (3 * math.pi) * quadratic * self.omega
-
-    @property
     def decay(self) -> float:
         """−a'/a at the given amplitude, 1/s."""
-        return self.linear + self.square * self.a
+        return self.fading.rate(self.a)
+
+    @property
+    def numbers(self) -> tuple[float, float, float]:
+        """Length, gravity and mass of the point mass that swings as the bob does."""
+        length, gravity, mass = (float(value) for value in self.effective.values)
+        return length, gravity, mass
+
+    def acting(self, *, drag: Drag | None = None) -> list[float]:
+        """The eight numbers that the core takes of what acts, with another drag where one is given.
+
+        γ, c, Ω_h, Ω_z, δ, its axis, Δγ, its axis.
+        """
+        air = self.drag if drag is None else drag
+        values = [0.0, 0.0] if air is None else [float(value) for value in air.values]
+        level = 0.0 if self.site is None else float(self.site.horizontal_rotation)
+        values += [level, self.earth]
+        clamp = (0.0,) * 4 if self.suspension is None else self.suspension.values
+        return values + [float(value) for value in clamp]
+
+    @property
+    def driving(self) -> tuple[str, tuple[float, float]]:
+        """When the drive pushes, its push, and the phase or the radius."""
+        if self.drive is None:
+            return "", (0.0, 0.0)
+        push, when = (float(value) for value in self.drive.values)
+        return ("radius" if self.drive.phase is None else "phase"), (push, when)
+
+    @property
+    def stiffness(self) -> float:
+        """δ, rad/s; 0 for an even suspension."""
+        return 0.0 if self.suspension is None else float(self.suspension.anisotropy)
+
+    @property
+    def damping(self) -> float:
+        """Δγ, 1/s; 0 for an even suspension."""
+        return 0.0 if self.suspension is None else float(self.suspension.damping_anisotropy)
 
     def launch(self, b: float, *, turning: bool, a: float | None = None) -> Launch:
         """From the outer turning point, so that the ellipse is a by b where nothing turns.

@@ -80,16 +80,16 @@ class Portrait:
 
     As polarised light on Poincaré's sphere: the sine of the latitude is the circularity
     u = 2ab/(a² + b²), the longitude φ = 2(ψ − χ) is twice the azimuth from the stiff axis. The
-    poles are circles, the equator are straight swings. Without drag and drive every ellipse stays on a
-    closed orbit; with drag the map changes slowly as the swing dies away.
+    poles are circles, the equator are straight swings. Without drag and drive every ellipse stays
+    on a closed orbit; with drag the map changes slowly as the swing dies away.
 
     Parameters
     ----------
     pendulum
         A single one.
     a, b
-        Semi-axes of the ellipse that is looked at, m, b positive counter-clockwise and no larger than a, a less
-        than the length. Its a² + b² is that of all on this map.
+        Semi-axes of the ellipse that is looked at, m, b positive counter-clockwise and no larger
+        than a, a less than the length. Its a² + b² is that of all on this map.
     azimuth
         Of its major axis, rad, counter-clockwise from x.
     site
