@@ -142,7 +142,9 @@ def test_equator_never_turns() -> None:
     found = kp.design(PENDULUM, 1.0, site=kp.Site(0.0))
     assert found["foucault_turn"].value == math.inf
     assert found["foucault_rate"].value == 0
-    with pytest.raises(kp.InvalidInput, match="no answer 'critical_amplitude'; it has period_small"):
+    with pytest.raises(
+        kp.InvalidInput, match="no answer 'critical_amplitude'; it has period_small"
+    ):
         found["critical_amplitude"]
 
 

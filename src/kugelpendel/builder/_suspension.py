@@ -19,7 +19,7 @@ from kugelpendel.parameters import Drag, Suspension
 MOMENTS = 80
 """Turning points that a run reads in half a turn."""
 
-_NARROW = 0.8
+_NARROW = 0.95
 """Beyond this circularity the rate has peaks that are shorter than a run's readings are apart."""
 
 

@@ -148,7 +148,8 @@ class Portrait:
         else:
             a, b, azimuth = ellipse(motion, t)
         given = (motion.site, motion.suspension, motion.bob)
-        return cls(motion.pendulum, float(a), float(b), float(azimuth), *given)
+        axis = math.remainder(float(azimuth), math.pi)
+        return cls(motion.pendulum, float(a), float(b), axis, *given)
 
     @cached_property
     def _core(self) -> _core.Portrait:
