@@ -13,11 +13,15 @@ from kugelpendel import _core
 from kugelpendel.builder import _measured
 from kugelpendel.builder._answer import DesignAnswer, DesignCheck, answer, how
 from kugelpendel.builder._case import MOST_SWINGS, Case
+from kugelpendel.builder._turning import judged
 from kugelpendel.observables import Orbit, Portrait
 from kugelpendel.parameters import Drag, Suspension
 
-MOMENTS = 80
-"""Turning points that a run reads in half a turn."""
+_MOMENTS = 80
+"""Turning points that a run reads in half a turn, where they are two swings apart."""
+
+_FEWEST = 8
+"""With fewer, a run would say too little."""
 
 _NARROW = 0.95
 """Beyond this circularity the rate has peaks that are shorter than a run's readings are apart."""
@@ -65,11 +69,15 @@ def steps(case: Case) -> int:
     durations = [portrait(case).orbit.period] if case.stiffness else []
     if case.damping:
         durations.append(_time(case, _core.under_damping(case.earth, case.damping)[2]))
-    return MOMENTS * sum(_is_run(case, duration) for duration in durations)
+    return sum(_moments(case, duration) for duration in durations)
 
 
-def _is_run(case: Case, duration: float) -> bool:
-    return case.checked and duration < MOST_SWINGS * case.swing
+def _moments(case: Case, duration: float) -> int:
+    """Turning points that are read in a time; 0 where it is not run."""
+    if not case.checked or duration > MOST_SWINGS * case.swing:
+        return 0
+    count = min(_MOMENTS, int(duration / (2 * case.swing)))
+    return count if count >= _FEWEST else 0
 
 
 def _time(case: Case, duration: float) -> float:
@@ -104,7 +112,8 @@ class _Run:
 
 def _run(case: Case, alone: Suspension, duration: float) -> _Run | None:
     """Follow the full equations, with the Earth and the one cause, without a drive."""
-    if not _is_run(case, duration):
+    count = _moments(case, duration)
+    if not count:
         return None
     # Uneven damping opens no ellipse, and one would turn by itself.
     b = case.b if alone.anisotropy else 0.0
@@ -112,7 +121,7 @@ def _run(case: Case, alone: Suspension, duration: float) -> _Run | None:
     drag = Drag(abs(float(alone.damping_anisotropy)) / 2)
     launch = case.launch(b, turning=True)
     motion = case.run(launch, site=True, drag=drag, suspension=alone, fine=False)
-    moments = np.linspace(0.0, duration, MOMENTS)
+    moments = np.linspace(0.0, duration, count)
     course = _measured.Course.of(motion, case.swing, moments, case.worked)
     way = -math.copysign(1.0, case.earth)
     rates = np.sort(way * course.rates)
@@ -131,11 +140,10 @@ def _anisotropy_checks(case: Case) -> dict[str, DesignCheck]:
     if found is None:
         return {}
     said = how("anisotropy_run", time=orbit.period)
-    judged = (said, abs(case.earth), "Ω_z")
-    checks = {"turning_by_anisotropy": DesignCheck(orbit.rate, found.mean, *judged)}
+    checks = {"turning_by_anisotropy": judged(case, orbit.rate, found.mean, said)}
     if max(-orbit.limits[0], orbit.limits[1]) < _NARROW:
-        checks["slowest_by_anisotropy"] = DesignCheck(orbit.slowest, found.slowest, *judged)
-        checks["fastest_by_anisotropy"] = DesignCheck(orbit.fastest, found.fastest, *judged)
+        checks["slowest_by_anisotropy"] = judged(case, orbit.slowest, found.slowest, said)
+        checks["fastest_by_anisotropy"] = judged(case, orbit.fastest, found.fastest, said)
         checks["widest_by_anisotropy"] = DesignCheck(orbit.widest, found.widest, said)
     return checks
 
@@ -163,9 +171,9 @@ def _damping(case: Case, slowest: float, fastest: float, duration: float) -> Ite
     found = _run(case, Suspension(0.0, 0.0, damping, axis), time)
     slow = fast = None
     if found is not None:
-        judged = (how("damping_run", time=time), abs(case.earth), "Ω_z")
-        slow = DesignCheck(slowest, found.slowest, *judged)
-        fast = DesignCheck(fastest, found.fastest, *judged)
+        said = how("damping_run", time=time)
+        slow = judged(case, slowest, found.slowest, said)
+        fast = judged(case, fastest, found.fastest, said)
     yield answer("slowest_by_damping", slowest, slow, "stalls" if slowest == 0 else "")
     yield answer("fastest_by_damping", fastest, fast)
 

@@ -25,7 +25,7 @@ def foucault(case: Case) -> Iterator[DesignAnswer]:
     check = None
     if case.checked:
         start = case.pushed(case.a, -case.ground(case.a))
-        check = _judged(case, rate, _rate(case, start), "no_ellipse")
+        check = judged(case, rate, _rate(case, start), how("no_ellipse"))
     yield answer("foucault_rate", rate, check)
     yield answer("foucault_turn", 2 * math.pi / abs(rate) if rate else math.inf)
     yield answer("foucault_day", rate * _DAY)
@@ -83,7 +83,7 @@ def release(case: Case) -> Iterator[DesignAnswer]:
     rate = _first(case, b) - case.earth
     check = None
     if case.checked:
-        check = _judged(case, rate, _rate(case, case.pushed(case.a, 0.0)), "release")
+        check = judged(case, rate, _rate(case, case.pushed(case.a, 0.0)), how("release"))
     yield answer("release_rate", rate, check)
     yield answer("release_speed", -case.ground(case.a))
 
@@ -100,7 +100,7 @@ def total(case: Case) -> Iterator[DesignAnswer]:
         motion = case.run(launch, site=True, drag=True, suspension=True)
         # Short, for the causes change with a, b and the azimuth.
         measured = _measured.turning_rate(motion, case.swing, 3)
-        check = _judged(case, value, measured, "start")
+        check = judged(case, value, measured, how("start"))
     yield answer("rate_at_start", value, check)
 
 
@@ -115,11 +115,11 @@ def budget(case: Case) -> dict[str, float]:
     return parts
 
 
-def _judged(case: Case, expected: float, measured: float, what: str) -> DesignCheck:
-    """A rate beside the Earth's, where there is one."""
-    if case.earth:
-        return DesignCheck(expected, measured, how(what), abs(case.earth), "Ω_z")
-    return DesignCheck(expected, measured, how(what))
+def judged(case: Case, expected: float, measured: float, said: str) -> DesignCheck:
+    """A rate beside the Earth's, where that is the larger."""
+    if abs(case.earth) > abs(measured):
+        return DesignCheck(expected, measured, said, abs(case.earth), "Ω_z")
+    return DesignCheck(expected, measured, said)
 
 
 def _rate(case: Case, launch: Launch, *, site: bool = True) -> float:
