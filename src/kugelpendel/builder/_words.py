@@ -161,7 +161,7 @@ ANSWERS = {
             _PORTRAIT, "for starts at b = 0"),
         "turning_by_anisotropy": (
             "Mean turning by Earth and anisotropy", "rad/s", "±π/T, T once round the orbit; or 0",
-            _PORTRAIT, "without drag and drive"),
+            _PORTRAIT),
         "slowest_by_anisotropy": (
             "Slowest turning by the anisotropy", "rad/s",
             "least −Ω_z + μu/2 − uG/2(1−u²) on the orbit", _PORTRAIT),
@@ -235,10 +235,10 @@ REMARKS = {
     "never_safe": "none: |δ| ≥ 2|Ω_z|, so that straight swings of every size turn back from some "
     "azimuths",
     "wide": "wider than half of a: the formula holds for narrow ellipses, so take any b",
-    "round": "it goes round, half a turn in {hours:.4g} h",
-    "to_and_fro": "it turns back: to and fro between the azimuths {west:.4g}° and {east:.4g}°, "
-    "once in {hours:.4g} h",
-    "stands": "it stays as it is",
+    "round": "without drag and drive it goes round, half a turn in {hours:.4g} h",
+    "to_and_fro": "without drag and drive it turns back: to and fro between the azimuths "
+    "{west:.4g}° and {east:.4g}°, once in {hours:.4g} h",
+    "stands": "without drag and drive it stays as it is",
     "turns_back": "it turns back",
     "stalls": "it stalls",
     "settled_round": "it goes round: {degrees:.4g}° in {hours:.4g} h",

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kugelpendel.cli.run.clamp import clamp_notes
 from kugelpendel.cli.run.ideal_json import describe_start, to_json
 from kugelpendel.motion import CAUSES
 
@@ -51,6 +52,7 @@ def real_json(job: Job, found: Findings, files: Sequence[str]) -> str:
         "swing": _swing(found),
         "shares": None if found.shares is None else _shares(found.shares),
         "why_no_shares": found.why_no_shares or None,
+        "clamp": clamp_notes(job.setup, job.launch) or None,
         "averaged_equations": {
             "full_less_averaged_azimuth_at_the_end_rad": found.apart,
             "caution": found.caution or None,
