@@ -108,7 +108,7 @@ class Portrait:
     -----
     To second order in a/l for the ellipse's own turning and to first order in the anisotropy over
     ω0. On 450 random pendulums with a/l from 1e-3 to 0.13 the verdict is that of `EnvelopeMotion`
-    450 times (benchmarks/portrait.py). The formulas and their sources are in docs/conventions.md.
+    450 times (benchmarks/portrait.py). The formulas and their sources are in docs/design.md.
     """
 
     pendulum: Pendulum
