@@ -15,8 +15,8 @@ const LEFT: f64 = 0.1;
 /// Any other for so many turns of the Earth.
 const TURNS: usize = 4;
 
-/// A driven swing that has not settled after so many turns of the Earth is not looked at.
-const MOST: f64 = 30.0;
+/// Nothing is looked at that takes longer than this, s: 120 days, in which the Earth turns four times at 2° latitude.
+const LONGEST: f64 = 120.0 * 86_400.0;
 
 /// Readings in each of these, or until a swing has died away.
 const READINGS: usize = 400;
@@ -46,8 +46,8 @@ pub struct Settled {
     pub dies: bool,
 }
 
-/// Follows a motion on a ground that turns with Ω_z, not 0. `None` where the motion ends before it is looked at, where it
-/// has not settled within a month, and where `go_on`, which is asked all the time, says no.
+/// Follows a motion on a ground that turns with Ω_z, not 0. `None` where the motion ends before it is looked at, where that
+/// would take longer than 120 days, and where `go_on`, which is asked all the time, says no.
 pub fn settle(
     motion: &EnvelopeMotion,
     [a, rotation]: [f64; 2],
@@ -60,10 +60,10 @@ pub fn settle(
     let life = decay.until(a, LEFT * a);
     let dies = !driven && life < TURNS as f64 * turn;
     let from = if driven && loss > 0.0 { SETTLES / loss } else { 0.0 };
-    if from > MOST * turn {
+    let (windows, window) = if dies { (1, life) } else { (TURNS, turn) };
+    if from + windows as f64 * window > LONGEST {
         return None;
     }
-    let (windows, window) = if dies { (1, life) } else { (TURNS, turn) };
     let mut walks = EnvelopeWalks::default();
     let mut read = |time: f64| {
         let (mut azimuth, mut axes) = ([f64::NAN], [f64::NAN; 2]);
