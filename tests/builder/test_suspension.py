@@ -85,10 +85,8 @@ def test_the_pendulum_that_was_said_to_be_safe() -> None:
 
 def design_of(path: Path) -> kp.Design:
     questions = read_questions(path)
-    setup = questions.setup
-    return kp.design(setup.pendulum, questions.a, azimuth=questions.azimuth, site=setup.site,
-                     drag=setup.drag, suspension=setup.suspension, bob=setup.bob,
-                     drive=setup.drive, checked=False)  # fmt: skip
+    return kp.design(questions.pendulum, questions.a, azimuth=questions.azimuth,
+                     forces=questions.forces, checked=False)  # fmt: skip
 
 
 def as_questions(job: Path, folder: Path) -> Path:

@@ -1,8 +1,10 @@
 //! What a builder asks of the core: one number or a few for one pendulum.
 
+use crate::given::{Columned, Named};
 use crate::portrait::word;
 use kugelpendel::{
-    Cause, Decay, Drive, EnvelopeMotion, ExactMotion, Forces, Launch, Pendulum, PrecessionBudget, settle, stretches,
+    Cause, Decay, Drive, EnvelopeMotion, ExactMotion, Forces, Invalid, Launch, Pendulum, PrecessionBudget, settle,
+    stretches,
 };
 use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyValueError;
@@ -49,25 +51,20 @@ fn made([length, gravity, mass]: [f64; 3]) -> Pendulum {
     Pendulum { length, gravity, mass }
 }
 
-/// The averaged motion from an outer turning point: pendulum (length, gravity, mass), ellipse (a, b, azimuth), the eight forces
-/// and the drive as in `RealMotions`.
+/// The averaged motion from an outer turning point: the pendulum as given (length, gravity, mass), the ellipse (a, b,
+/// azimuth), and columns of what acts, with one number in each.
 fn averaged(
     pendulum: [f64; 3],
     ellipse: [f64; 3],
-    acting: [f64; 8],
-    drive: (&str, [f64; 2]),
-) -> PyResult<EnvelopeMotion> {
-    let [damping, quadratic, horizontal, vertical, anisotropy, axis, damping_anisotropy, damping_axis] = acting;
-    let rotation = [horizontal, vertical];
-    let forces = Forces { damping, quadratic, rotation, anisotropy, axis, damping_anisotropy, damping_axis };
-    let (kind, [push, when]) = drive;
-    let drive = match kind {
-        "phase" => Drive::Phase { push, phase: when },
-        "radius" => Drive::Radius { push, radius: when },
-        _ => Drive::Absent,
-    };
-    EnvelopeMotion::at_apsis(made(pendulum), ellipse, forces, drive, true)
-        .map_err(|invalid| PyValueError::new_err(invalid.to_string()))
+    acting: &Columned<'_>,
+) -> PyResult<(EnvelopeMotion, Forces, Decay, bool)> {
+    let wrong = |invalid: Invalid| PyValueError::new_err(invalid.to_string());
+    let acting = Named::checked(acting, 1)?.acting()?(0);
+    let effective = acting.effective_pendulum(&made(pendulum)).map_err(wrong)?;
+    let forces = acting.forces();
+    let decay = Decay::new(forces.damping, forces.quadratic, effective.angular_frequency());
+    let motion = EnvelopeMotion::at_apsis(effective, ellipse, forces, acting.drive, true).map_err(wrong)?;
+    Ok((motion, forces, decay, acting.drive != Drive::Absent))
 }
 
 /// The five shares of the plane's rate, rad/s, and the rates of a and b, m/s.
@@ -75,10 +72,9 @@ fn averaged(
 pub(crate) fn budget_at_start(
     pendulum: [f64; 3],
     ellipse: [f64; 3],
-    acting: [f64; 8],
-    drive: (String, [f64; 2]),
+    acting: Columned<'_>,
 ) -> PyResult<([f64; 5], [f64; 2])> {
-    let motion = averaged(pendulum, ellipse, acting, (&drive.0, drive.1))?;
+    let (motion, ..) = averaged(pendulum, ellipse, &acting)?;
     let (PrecessionBudget(shares), rates) = PrecessionBudget::at_start(&motion);
     Ok((shares, rates))
 }
@@ -92,13 +88,11 @@ pub(crate) fn settled(
     py: Python<'_>,
     pendulum: [f64; 3],
     ellipse: [f64; 3],
-    acting: [f64; 8],
-    drive: (String, [f64; 2]),
+    acting: Columned<'_>,
 ) -> PyResult<Option<SettledRow>> {
-    let motion = averaged(pendulum, ellipse, acting, (&drive.0, drive.1))?;
-    let decay = Decay::new(acting[0], acting[1], made(pendulum).angular_frequency());
+    let (motion, forces, decay, driven) = averaged(pendulum, ellipse, &acting)?;
     let mut signal = Ok(());
-    let found = settle(&motion, [ellipse[0], acting[3]], &decay, !drive.0.is_empty(), || {
+    let found = settle(&motion, [ellipse[0], forces.rotation[1]], &decay, driven, || {
         signal = py.check_signals();
         signal.is_ok()
     });

@@ -13,8 +13,10 @@ from kugelpendel.parameters import (
     Bob,
     Drag,
     Drive,
+    Forces,
     InvalidInput,
     Launch,
+    Numbers,
     Pendulum,
     Site,
     Suspension,
@@ -39,11 +41,7 @@ class Case:
     a: float
     b: float
     azimuth: float
-    site: Site | None
-    drag: Drag | None
-    suspension: Suspension | None
-    bob: Bob | None
-    drive: Drive | None
+    forces: Forces
     wire: Wire | None
     share: float
     after: float
@@ -65,6 +63,31 @@ class Case:
             )
 
     @property
+    def site(self) -> Site | None:
+        """Where it hangs."""
+        return self.forces.site
+
+    @property
+    def drag(self) -> Drag | None:
+        """Of the air."""
+        return self.forces.drag
+
+    @property
+    def suspension(self) -> Suspension | None:
+        """What it lacks in symmetry."""
+        return self.forces.suspension
+
+    @property
+    def bob(self) -> Bob | None:
+        """Its size."""
+        return self.forces.bob
+
+    @property
+    def drive(self) -> Drive | None:
+        """What is there now."""
+        return self.forces.drive
+
+    @property
     def length(self) -> float:
         """l, m."""
         return float(self.pendulum.length)
@@ -76,9 +99,8 @@ class Case:
 
     @cached_property
     def effective(self) -> Pendulum:
-        """A point mass that swings as the bob does."""
-        factor = 1.0 if self.bob is None else float(self.bob.gravity_factor(self.length))
-        return Pendulum(self.length, self.gravity * factor, self.pendulum.mass)
+        """The point mass that swings as the bob does."""
+        return self.forces.effective_pendulum(self.pendulum)
 
     @property
     def omega(self) -> float:
@@ -133,25 +155,12 @@ class Case:
         length, gravity, mass = (float(value) for value in self.effective.values)
         return length, gravity, mass
 
-    def acting(self, *, drag: Drag | None = None) -> list[float]:
-        """The eight numbers that the core takes of what acts, with another drag where one is given.
-
-        γ, c, Ω_h, Ω_z, δ, its axis, Δγ, its axis.
-        """
-        air = self.drag if drag is None else drag
-        values = [0.0, 0.0] if air is None else [float(value) for value in air.values]
-        level = 0.0 if self.site is None else float(self.site.horizontal_rotation)
-        values += [level, self.earth]
-        clamp = (0.0,) * 4 if self.suspension is None else self.suspension.values
-        return values + [float(value) for value in clamp]
-
-    @property
-    def driving(self) -> tuple[str, tuple[float, float]]:
-        """When the drive pushes, its push, and the phase or the radius."""
-        if self.drive is None:
-            return "", (0.0, 0.0)
-        push, when = (float(value) for value in self.drive.values)
-        return ("radius" if self.drive.phase is None else "phase"), (push, when)
+    def averaged(
+        self, b: float, forces: Forces
+    ) -> tuple[list[float], tuple[float, float, float], dict[str, Numbers]]:
+        """What the core takes for the averaged motion of this swing, b wide, under some forces."""
+        given = [float(value) for value in self.pendulum.values]
+        return given, (self.a, b, self.azimuth), forces.columns(())
 
     @property
     def stiffness(self) -> float:
@@ -189,9 +198,7 @@ class Case:
         fine: bool = True,
     ) -> RealMotion:
         """The full equations with the bob, and with what is named of the rest."""
-        return RealMotion(
-            self.pendulum,
-            launch,
+        forces = Forces(
             site=self.site if site else None,
             drag=(self.drag if drag else None) if isinstance(drag, bool) else drag,
             suspension=(self.suspension if suspension else None)
@@ -199,13 +206,13 @@ class Case:
             else suspension,
             bob=self.bob,
             drive=drive,
-            tolerance=_FINE if fine else _COARSE,
         )
+        return RealMotion(self.pendulum, launch, forces, tolerance=_FINE if fine else _COARSE)
 
 
 def _refuse_ensembles(case: Case) -> None:
-    for name in ("pendulum", "site", "drag", "suspension", "bob", "drive", "wire"):
-        part = getattr(case, name)
+    given = {"pendulum": case.pendulum, **case.forces.parts, "wire": case.wire}
+    for name, part in given.items():
         if part is not None and part.shape != ():
             raise InvalidInput(
                 f"A design answers for one pendulum, but the {name} has the shape {part.shape}; "

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import Unpack
 
 from kugelpendel import _core
 from kugelpendel.builder._answer import DesignAnswer
@@ -18,15 +19,13 @@ from kugelpendel.builder._turning import budget, foucault, intrinsic, release, t
 from kugelpendel.builder._wire import wire as wires
 from kugelpendel.observables import Portrait
 from kugelpendel.parameters import (
-    Bob,
-    Drag,
-    Drive,
+    ForceParts,
+    Forces,
     InvalidInput,
     Pendulum,
-    Site,
-    Suspension,
     Wire,
     as_numbers,
+    gathered,
 )
 
 _QUESTIONS: tuple[Callable[[Case], Iterator[DesignAnswer]], ...] = (
@@ -40,7 +39,7 @@ class Design:
 
     Attributes
     ----------
-    pendulum, a, b, azimuth, site, drag, suspension, bob, drive, wire
+    pendulum, a, b, azimuth, forces, wire
         As given to `design`.
     answers
         All of them, in the order of their groups.
@@ -53,11 +52,7 @@ class Design:
     a: float
     b: float
     azimuth: float
-    site: Site | None
-    drag: Drag | None
-    suspension: Suspension | None
-    bob: Bob | None
-    drive: Drive | None
+    forces: Forces
     wire: Wire | None
     answers: tuple[DesignAnswer, ...]
     budget: dict[str, float]
@@ -80,17 +75,15 @@ class Design:
     @property
     def portrait(self) -> Portrait:
         """The map of the clamp for swings of this size, with this one on it."""
-        given = (self.site, self.suspension, self.bob)
-        return Portrait(self.pendulum, self.a, self.b, self.azimuth, *given)
+        return Portrait(self.pendulum, self.a, self.b, self.azimuth, self.forces)
 
     def amplitude(self, time: float) -> float:
         """Of the swing without a drive after so many seconds, m: the drag's closed form."""
-        linear, quadratic = (0.0, 0.0) if self.drag is None else self.drag.values
-        length = float(self.pendulum.length)
-        omega = float(self.pendulum.angular_frequency)
-        if self.bob is not None:
-            omega *= float(self.bob.gravity_factor(length)) ** 0.5
-        return _core.Decay(float(linear), float(quadratic), omega).after(self.a, float(time))
+        drag = self.forces.drag
+        linear, quadratic = (0.0, 0.0) if drag is None else drag.values
+        omega = self.forces.effective_pendulum(self.pendulum).angular_frequency
+        fading = _core.Decay(float(linear), float(quadratic), float(omega))
+        return fading.after(self.a, float(time))
 
 
 def design(
@@ -99,11 +92,7 @@ def design(
     b: float = 0.0,
     *,
     azimuth: float = 0.0,
-    site: Site | None = None,
-    drag: Drag | None = None,
-    suspension: Suspension | None = None,
-    bob: Bob | None = None,
-    drive: Drive | None = None,
+    forces: Forces | None = None,
     wire: Wire | None = None,
     share: float = 0.01,
     after: float = 3600.0,
@@ -111,6 +100,7 @@ def design(
     time: float | None = None,
     checked: bool = True,
     done: Callable[[int, int], None] | None = None,
+    **parts: Unpack[ForceParts],
 ) -> Design:
     """Answer what a builder asks of one pendulum.
 
@@ -123,8 +113,10 @@ def design(
         0 < a < length, |b| ≤ a/2, b positive counter-clockwise seen from above.
     azimuth
         rad, of the swing at the start, counter-clockwise from x.
-    site, drag, suspension, bob, drive, wire
-        What there is of them; questions about the others are left out.
+    forces
+        What acts; questions about the rest are left out.
+    wire
+        That it hangs on, where it has one.
     share
         Of the Foucault rate, that the intrinsic rate may reach, between 0 and 1.
     after
@@ -138,6 +130,8 @@ def design(
         is not run.
     done
         Told, now and then, how many of how many steps are done.
+    parts
+        In place of `forces`: site, drag, suspension, bob, drive.
 
     Returns
     -------
@@ -171,14 +165,14 @@ def design(
         if done is not None:
             done(taken, count)
 
-    given = (site, drag, suspension, bob, drive, wire)
-    case = Case(pendulum, *numbers, *given, *asked, checked, worked)
+    acting = gathered("A design", forces, parts)
+    case = Case(pendulum, *numbers, acting, wire, *asked, checked, worked)
     count = len(_QUESTIONS) + steps(case)
     answers: list[DesignAnswer] = []
     for question in _QUESTIONS:
         answers.extend(question(case))
         worked()
-    return Design(pendulum, *numbers, *given, tuple(answers), budget(case))
+    return Design(pendulum, *numbers, acting, wire, tuple(answers), budget(case))
 
 
 def _one(value: float, name: str, unit: str) -> float:

@@ -10,7 +10,8 @@ from kugelpendel import _core
 from kugelpendel.builder import _measured
 from kugelpendel.builder._answer import DesignAnswer, DesignCheck, answer, how
 from kugelpendel.builder._case import Case
-from kugelpendel.parameters import Drag, Drive, InvalidInput
+from kugelpendel.errors import KugelpendelError
+from kugelpendel.parameters import Drag, Drive, Forces
 
 _SWINGS = 10  # over which the runs take a mean
 
@@ -70,16 +71,15 @@ def _tried(case: Case, key: str, push: Push) -> Iterator[DesignAnswer]:
     b = case.b or _NARROW * case.a
     # A plane swing loses as much by linear drag alone, and linear drag leaves b/a as it is.
     drag = Drag(case.decay)
-    still = replace(case, site=None, suspension=None).acting(drag=drag)
-    given = ("phase", (push.size, push.phase))
-    shares, (grows, _) = _core.budget_at_start(case.numbers, (case.a, b, 0.0), still, given)
+    forces = Forces(drag=drag, bob=case.bob, drive=Drive(push.size, phase=push.phase))
+    shares, (grows, _) = _core.budget_at_start(*case.averaged(b, forces))
     _, intrinsic, _, _, pushed = shares
     facts = {
         "phase": math.degrees(push.phase), "push": 1e3 * push.size, "b": b,
         "intrinsic": math.degrees(intrinsic) * 3600,
     }  # fmt: skip
     rate, growth = intrinsic + pushed, grows / case.a
-    turning, growing = _checks(case, push, b, drag, (rate, growth, intrinsic))
+    turning, growing = _checks(case, forces, b, (rate, growth, intrinsic))
     yield answer(f"turning_{key}", rate, turning, **facts)
     yield answer(f"growth_{key}", growth, growing)
     end = case.fading.final_amplitude(push.size, push.phase)
@@ -88,18 +88,19 @@ def _tried(case: Case, key: str, push: Push) -> Iterator[DesignAnswer]:
 
 
 def _checks(
-    case: Case, push: Push, b: float, drag: Drag, rates: tuple[float, float, float]
+    case: Case, forces: Forces, b: float, rates: tuple[float, float, float]
 ) -> tuple[DesignCheck, DesignCheck] | tuple[None, None]:
     """Of turning and growth; none for a push that RealMotion refuses, as it pumps without end."""
     if not case.checked:
         return None, None
     try:
-        drive = Drive(push.size, phase=push.phase)
-        motion = case.run(case.launch(b, turning=False), drag=drag, drive=drive)
+        motion = case.run(
+            case.launch(b, turning=False), drag=forces.drag or False, drive=forces.drive
+        )
         times, points = _measured.outer_points(
             motion, 0.25 * case.swing, (_SWINGS + 0.75) * case.swing
         )
-    except InvalidInput:
+    except KugelpendelError:
         return None, None
     span = float(times[-1] - times[0])
     first, last = (math.hypot(*points[k]) for k in (0, -1))

@@ -58,8 +58,7 @@ def suspension(case: Case) -> Iterator[DesignAnswer]:
 
 def portrait(case: Case) -> Portrait:
     """The map on which this swing is."""
-    start = (case.a, case.b, case.azimuth)
-    return Portrait(case.pendulum, *start, case.site, case.suspension, case.bob)
+    return Portrait(case.pendulum, case.a, case.b, case.azimuth, case.forces)
 
 
 def steps(case: Case) -> int:
@@ -189,8 +188,7 @@ def _settled(case: Case) -> _Settled | None:
     uneven = case.stiffness or case.damping
     if not uneven or (case.drive is None and not case.decay):
         return None
-    start = (case.a, case.b, case.azimuth)
-    return _core.settled(case.numbers, start, case.acting(), case.driving)
+    return _core.settled(*case.averaged(case.b, case.forces))
 
 
 def _with_all(case: Case, settled: _Settled, bare: str) -> Iterator[DesignAnswer]:

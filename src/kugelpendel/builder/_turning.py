@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 from kugelpendel import _core
 from kugelpendel.builder import _measured
@@ -106,8 +107,8 @@ def total(case: Case) -> Iterator[DesignAnswer]:
 
 def budget(case: Case) -> dict[str, float]:
     """What each cause but a drive adds to the rate at the start, rad/s."""
-    start = (case.a, case.b, case.azimuth)
-    shares, _ = _core.budget_at_start(case.numbers, start, case.acting(), ("", (0.0, 0.0)))
+    without = replace(case.forces, drive=None)
+    shares, _ = _core.budget_at_start(*case.averaged(case.b, without))
     parts: dict[str, float] = dict(zip(CAUSES, shares, strict=True))
     del parts["drive"]
     if case.suspension is None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,7 +13,7 @@ from numpy.typing import ArrayLike
 from kugelpendel import _core
 from kugelpendel.motion import EnvelopeMotion, RealMotion
 from kugelpendel.observables._ellipse import ellipse
-from kugelpendel.parameters import Bob, InvalidInput, Numbers, Pendulum, Site, Suspension
+from kugelpendel.parameters import ForceParts, Forces, InvalidInput, Numbers, Pendulum, gathered
 
 VERDICTS = ("round", "to and fro", "stands")
 """What a plane does: it goes round and round, it turns back again and again, or it stays."""
@@ -74,7 +75,7 @@ class Equilibrium:
     stable: bool
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, init=False)
 class Portrait:
     """All ellipses of one size, in one clamp and on the turning Earth, as a map of a sphere.
 
@@ -92,12 +93,10 @@ class Portrait:
         than a, a less than the length. Its a² + b² is that of all on this map.
     azimuth
         Of its major axis, rad, counter-clockwise from x.
-    site
-        None for a ground that does not turn.
-    suspension
-        Only its anisotropy counts here; None for an even one.
-    bob
-        None for a point mass.
+    forces
+        Of what acts only the site, the anisotropy of the suspension and the bob count here.
+    parts
+        In place of `forces`: site, drag, suspension, bob, drive.
 
     Raises
     ------
@@ -113,18 +112,28 @@ class Portrait:
 
     pendulum: Pendulum
     a: float
-    b: float = 0.0
-    azimuth: float = 0.0
-    site: Site | None = None
-    suspension: Suspension | None = None
-    bob: Bob | None = None
+    b: float
+    azimuth: float
+    forces: Forces
 
-    def __post_init__(self) -> None:
-        for part in (self.pendulum, self.site, self.suspension, self.bob):
-            if part is not None and part.shape != ():
+    def __init__(
+        self,
+        pendulum: Pendulum,
+        a: float,
+        b: float = 0.0,
+        azimuth: float = 0.0,
+        forces: Forces | None = None,
+        **parts: Unpack[ForceParts],
+    ):
+        acting = gathered("Portrait", forces, parts)
+        given = {"pendulum": pendulum, "a": a, "b": b, "azimuth": azimuth, "forces": acting}
+        for name, value in given.items():
+            object.__setattr__(self, name, value)
+        for name, part in {"pendulum": pendulum, **acting.parts}.items():
+            if part.shape != ():
                 raise InvalidInput(
-                    f"A portrait is of one pendulum, but the {type(part).__name__.lower()} has the "
-                    f"shape {part.shape}; draw each case by itself."
+                    f"A portrait is of one pendulum, but the {name} has the shape {part.shape}; "
+                    f"draw each case by itself."
                 )
         length = float(self.pendulum.length)
         if not abs(self.b) <= self.a < length or not self.a > 0:
@@ -147,19 +156,18 @@ class Portrait:
             (a, b), azimuth = motion.semi_axes(t), motion.azimuth(t)
         else:
             a, b, azimuth = ellipse(motion, t)
-        given = (motion.site, motion.suspension, motion.bob)
         axis = math.remainder(float(azimuth), math.pi)
-        return cls(motion.pendulum, float(a), float(b), axis, *given)
+        return cls(motion.pendulum, float(a), float(b), axis, motion.forces)
 
     @cached_property
     def _core(self) -> _core.Portrait:
-        length, gravity, mass = (float(value) for value in self.pendulum.values)
-        factor = 1.0 if self.bob is None else float(self.bob.gravity_factor(length))
-        rotation = 0.0 if self.site is None else float(self.site.vertical_rotation)
+        effective = self.forces.effective_pendulum(self.pendulum)
+        pendulum = [float(value) for value in effective.values]
+        site, suspension = self.forces.site, self.forces.suspension
+        rotation = 0.0 if site is None else float(site.vertical_rotation)
         clamp = (0.0, 0.0)
-        if self.suspension is not None:
-            clamp = (float(self.suspension.anisotropy), float(self.suspension.axis))
-        pendulum = (length, gravity * factor, mass)
+        if suspension is not None:
+            clamp = (float(suspension.anisotropy), float(suspension.axis))
         return _core.Portrait.of(pendulum, rotation, clamp, (self.a, self.b))
 
     @property

@@ -171,7 +171,8 @@ def _tint(
     rates: NDArray[np.float64],
 ) -> list[Artist]:
     """Fill the regions, and give what tells of those that are there."""
-    rotation = 0.0 if found.site is None else float(found.site.vertical_rotation)
+    site = found.forces.site
+    rotation = 0.0 if site is None else float(site.vertical_rotation)
     with_earth = -math.copysign(1.0, rotation) if rotation else 1.0
     senses = np.sign(rates) * with_earth
     names = [name for name, *_ in _REGIONS]
@@ -222,10 +223,7 @@ def _draw_path(
     """Where the averaged motion goes on this map with everything that acts."""
     averaged = motion
     if not isinstance(averaged, EnvelopeMotion):
-        averaged = EnvelopeMotion(
-            motion.pendulum, motion.launch, site=motion.site, drag=motion.drag,
-            suspension=motion.suspension, bob=motion.bob, drive=motion.drive,
-        )  # fmt: skip
+        averaged = EnvelopeMotion(motion.pendulum, motion.launch, motion.forces)
     times = np.linspace(0.0, until, _READINGS)
     a, b = np.moveaxis(averaged.semi_axes(times), -1, 0)
     circularity = np.clip(2 * a * b / (a**2 + b**2), -1.0, 1.0)

@@ -14,8 +14,8 @@ def shares(**causes: list[float]) -> PrecessionBudget:
     count = len(next(iter(causes.values())))
     values = {name: EARTH * np.array(share) for name, share in causes.items()}
     times = 10.0 * np.arange(count, dtype=np.float64)
-    each = (values.get(name, np.zeros(count)) for name in CAUSES)
-    return PrecessionBudget(times, times, *each, times, times)
+    each = {name: values.get(name, np.zeros(count)) for name in CAUSES}
+    return PrecessionBudget(times, times, **each, outer=times, inner=times)
 
 
 def test_paces() -> None:

@@ -33,13 +33,13 @@ _LARGE = {"Pa": ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa")), "W": ((1.0, "W"), (1
 
 def print_design(questions: Questions, design: kp.Design) -> None:
     """Print the numbers, group by group, and then where they come from."""
-    lines = [("Pendulum", describe_pendulum(design.pendulum, questions.setup.has_mass))]
+    lines = [("Pendulum", describe_pendulum(design.pendulum, questions.has_mass))]
     swing = f"a = {given(design.a, 'm')}, b = {given(design.b, 'm')}"
     angle = math.degrees(math.asin(design.a / float(design.pendulum.length)))
     lines.append(("Swing", f"{swing}, {significant(angle, 4)}° to either side"))
-    if design.site is not None:
-        place = f"latitude {degrees(float(design.site.latitude))}"
-        lines.append(("Site", f"{place}, g = {float(design.site.gravity):.6g} m/s²"))
+    if design.forces.site is not None:
+        place = f"latitude {degrees(float(design.forces.site.latitude))}"
+        lines.append(("Site", f"{place}, g = {float(design.forces.site.gravity):.6g} m/s²"))
     for name, key in (("Clamp alone", "turning_by_anisotropy"), ("All together", "settled_rate")):
         if key in design:
             lines.append((name, design[key].note))

@@ -9,28 +9,26 @@ import kugelpendel as kp
 from kugelpendel.cli.run.findings import envelope
 
 if TYPE_CHECKING:
-    from kugelpendel.cli.job_file.forces import Setup
+    from kugelpendel.cli.job_file.job import Job
 
 _QUESTIONS = {"alone": "turning_by_anisotropy", "together": "settled_rate"}
 
 
-def clamp_notes(setup: Setup, launch: kp.Launch) -> dict[str, str]:
+def clamp_notes(job: Job) -> dict[str, str]:
     """What the builder's answers say of a job: "alone" without drag and drive, "together" with.
 
     Empty where the clamp is even, without a site, and where the averaged equations or the builder's
     formulas do not hold, as for round ellipses; "together" is left out where nothing acts beside
     the clamp.
     """
-    suspension = setup.suspension
-    if setup.site is None or suspension is None or not float(suspension.anisotropy):
+    suspension = job.forces.suspension
+    if job.forces.site is None or suspension is None or not float(suspension.anisotropy):
         return {}
     try:
-        start = kp.Portrait.of(envelope(setup, launch))
+        start = kp.Portrait.of(envelope(job))
         found = kp.design(
-            setup.pendulum, start.a, start.b, azimuth=start.azimuth, site=setup.site,
-            drag=setup.drag, suspension=suspension, bob=setup.bob, drive=setup.drive,
-            checked=False,
-        )  # fmt: skip
+            job.pendulum, start.a, start.b, azimuth=start.azimuth, forces=job.forces, checked=False
+        )
     except kp.InvalidInput:
         return {}
     return {name: found[key].note for name, key in _QUESTIONS.items() if key in found}

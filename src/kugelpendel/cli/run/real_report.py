@@ -11,7 +11,7 @@ import numpy as np
 from kugelpendel.cli.run.budget import describe_pace, shares_table
 from kugelpendel.cli.run.clamp import clamp_notes, describe_clamp
 from kugelpendel.cli.terminal.describe import describe_launch, describe_pendulum
-from kugelpendel.cli.terminal.describe_forces import describe_surroundings
+from kugelpendel.cli.terminal.describe_forces import describe_forces
 from kugelpendel.plot import significant, spell, spell_percent, spell_rate
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ def real_report(job: Job, found: Findings) -> str:
     lines = [
         f"{'Pendulum':<19}{describe_pendulum(job.pendulum, job.has_mass)}",
         f"{'Launch':<19}{describe_launch(job)}",
-        *(f"{name:<19}{text}" for name, text in describe_surroundings(job.setup)),
+        *(f"{name:<19}{text}" for name, text in describe_forces(job.pendulum, job.forces)),
         "",
         *(f"{name:<19}{value:<21}  {meaning}".rstrip() for name, value, meaning in rows),
         "",
@@ -113,7 +113,7 @@ def _why(job: Job, found: Findings) -> list[str]:
     apart = spell(abs(found.apart), "rad", 2)
     sentences = [
         *describe_pace(found.shares, found.ideal),
-        *describe_clamp(clamp_notes(job.setup, job.launch), _turned(found)),
+        *describe_clamp(clamp_notes(job), _turned(found)),
         "These shares are those of the averaged equations, whose plane ends "
         f"{apart} from that of the full ones.",
         found.caution,
