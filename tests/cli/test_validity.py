@@ -88,7 +88,7 @@ def test_folder_in_the_way_of_the_figure(call) -> None:
     Path("map.png").mkdir()
     outcome = call("validity", "--out", "map.png")
     assert outcome.code == 2
-    assert "map.png is a folder" in outcome.err
+    assert "map.png cannot be written: it is a folder" in outcome.err
 
 
 def test_run_says_the_same(call, write) -> None:

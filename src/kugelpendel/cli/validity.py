@@ -10,7 +10,7 @@ import kugelpendel as kp
 from kugelpendel import plot
 from kugelpendel.cli.compare.report import plain_table, print_table
 from kugelpendel.cli.job_file.quantity import LENGTH, read_quantity
-from kugelpendel.cli.output import staged
+from kugelpendel.cli.output import one_file
 from kugelpendel.plot import LEVELS
 from kugelpendel.spelling import as_given, significant, spell_percent
 
@@ -55,8 +55,8 @@ def validity(length: str | None, a: str | None, b: str | None, picture: Path | N
         parts, name = _for_one(outer, inner, size), _name(outer, inner, size)
         mark = (outer / size, abs(inner) / outer if outer else 0.0)
     if picture is not None:
-        with staged(picture.parent, (picture.name,)) as temporary:
-            plot.save(plot.validity(errors, mark, name), temporary / picture.name)
+        with one_file(picture, makes_parents=True) as temporary:
+            plot.save(plot.validity(errors, mark, name), temporary)
     lines, table = parts
     print("\n".join(lines))
     print_table(table)

@@ -35,7 +35,7 @@ def test_table(call, write) -> None:
 def test_files(call, write) -> None:
     outcome = call("compare", write(output={"figure": True}), "--out", "there")
     assert outcome.code == 0
-    assert sorted(path.name for path in Path("there").iterdir()) == [
+    assert sorted(path.name for path in Path("there").glob("[!.]*")) == [
         "comparison.json",
         "comparison.png",
     ]

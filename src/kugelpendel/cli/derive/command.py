@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kugelpendel import InvalidInput, paper
-from kugelpendel.cli.one_file import write_file
+from kugelpendel.cli.output import write_file
 from kugelpendel.paper import LANGUAGES
 
 if TYPE_CHECKING:

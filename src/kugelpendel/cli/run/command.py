@@ -65,7 +65,8 @@ def _run_ideal(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]
     track = FILES[job.format]
     files = [track, FIGURE] if job.figure else [track]
     results = ideal_json.as_json(job, answer, files)
-    with staged(target, (*FILES.values(), FIGURE, ideal_json.FILE)) as temporary:
+    replaced = (*FILES.values(), FIGURE, ideal_json.FILE)
+    with staged(target, replaced, (*files, ideal_json.FILE)) as temporary:
         with Progress("Writing the track", job.grid.count) as progress:
             write_track(temporary / track, motion, job.grid, job.format, progress.advance)
         if job.figure:

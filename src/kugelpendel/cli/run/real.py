@@ -66,7 +66,8 @@ def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
     """
     motion = real_motion(job)
     track = FILES[job.format]
-    with staged(target, _FILES) as temporary, Wish() as wish:
+    writes = (track, FIGURE, ideal_json.FILE) if job.figure else (track, ideal_json.FILE)
+    with staged(target, _FILES, writes) as temporary, Wish() as wish:
         seen = _follow(job, temporary / track, wish)
         found = find(job.setup, job.launch, motion, seen)
         files = [track]
