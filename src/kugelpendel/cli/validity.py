@@ -9,7 +9,8 @@ import numpy as np
 import kugelpendel as kp
 from kugelpendel import plot
 from kugelpendel.cli.compare.report import plain_table, print_table
-from kugelpendel.cli.job_file.quantity import LENGTH, read_quantity
+from kugelpendel.cli.job_file.kinds import LENGTH
+from kugelpendel.cli.job_file.quantity import read_quantity
 from kugelpendel.cli.output import one_file
 from kugelpendel.plot import LEVELS
 from kugelpendel.spelling import as_given, significant, spell_percent

@@ -82,7 +82,10 @@ def test_tables_without_checks(call, ask) -> None:
 def test_files_and_json(call, ask) -> None:
     outcome = call("design", ask(), "--json", "--out", "there")
     assert outcome.code == 0, outcome.err
-    assert sorted(path.name for path in Path("there").glob("[!.]*")) == ["design.json", "design.png"]
+    assert sorted(path.name for path in Path("there").glob("[!.]*")) == [
+        "design.json",
+        "design.png",
+    ]
     assert Path("there/design.png").read_bytes().startswith(b"\x89PNG")
     assert outcome.out == Path("there/design.json").read_text(encoding="utf-8")
     answers = {answer["name"]: answer for answer in outcome.results["answers"]}

@@ -65,7 +65,10 @@ def test_netcdf(call, write, expected: np.ndarray) -> None:
 
 def test_format_on_the_command_line_wins(call, write) -> None:
     call("run", write(), "--format", "parquet", "--out", "here")
-    assert sorted(path.name for path in Path("here").glob("[!.]*")) == ["results.json", "track.parquet"]
+    assert sorted(path.name for path in Path("here").glob("[!.]*")) == [
+        "results.json",
+        "track.parquet",
+    ]
 
 
 @pytest.mark.parametrize("track_format", ["csv", "netcdf", "parquet"])

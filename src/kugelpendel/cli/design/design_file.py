@@ -30,7 +30,7 @@ from kugelpendel.cli.job_file.forces import (
     plain_number,
     read_setup,
 )
-from kugelpendel.cli.job_file.quantity import ANGLE, LENGTH, TIME, Kind
+from kugelpendel.cli.job_file.kinds import ANGLE, EXPANSION, LENGTH, PRESSURE, TIME
 from kugelpendel.cli.job_file.table import Table, split
 
 if TYPE_CHECKING:
@@ -51,9 +51,6 @@ latitude = "50 deg"
 half_life = "3 h"
 """
 """A file that answers most questions, to paste."""
-
-_PRESSURE = Kind("a pressure", "Pa", "200 GPa")
-_EXPANSION = Kind("an expansion", "1/K", "1.2e-5 1/K")
 
 
 @dataclass(frozen=True)
@@ -109,6 +106,6 @@ def _wire(table: Table) -> kp.Wire:
     with named(table):
         return kp.Wire(
             diameter=table.quantity("diameter", LENGTH),
-            young=table.quantity("young", _PRESSURE, default=2.0e11),
-            expansion=table.quantity("expansion", _EXPANSION, default=1.2e-5),
+            young=table.quantity("young", PRESSURE, default=2.0e11),
+            expansion=table.quantity("expansion", EXPANSION, default=1.2e-5),
         )

@@ -31,26 +31,26 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import kugelpendel as kp
-from kugelpendel.cli.job_file.quantity import (
+from kugelpendel.cli.job_file.kinds import (
     ACCELERATION,
     ANGLE,
+    DECAY,
+    DENSITY,
+    LATITUDE,
     LENGTH,
     MASS,
+    QUADRATIC,
     RATE,
     SPEED,
     TIME,
     Kind,
-    show,
 )
+from kugelpendel.cli.job_file.quantity import show
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Mapping
 
     from kugelpendel.cli.job_file.table import Table
-
-DENSITY = Kind("a density", "kg/m^3", "8500 kg/m^3")
-DECAY = Kind("a decay rate", "1/s", "1e-5 1/s")
-QUADRATIC = Kind("a quadratic drag", "1/m", "1e-3 1/m")
 
 SURROUNDINGS = ("site", "drag", "suspension", "bob", "drive")
 """The tables that a file may have beside ``[pendulum]``."""
@@ -107,7 +107,7 @@ def _pendulum(table: Table, site: kp.Site | None, bob: kp.Bob | None) -> kp.Pend
 
 def _site(table: Table) -> kp.Site:
     table.allow(("latitude", "gravity", "height"))
-    latitude = table.quantity("latitude", ANGLE)
+    latitude = table.quantity("latitude", LATITUDE)
     if abs(latitude) > math.pi / 2:
         seen = show(table.entries["latitude"])
         raise kp.InvalidInput(

@@ -36,7 +36,7 @@ from typing import TYPE_CHECKING
 import kugelpendel as kp
 from kugelpendel.cli.job_file import toml_text
 from kugelpendel.cli.job_file.forces import SURROUNDINGS, Setup, read_setup
-from kugelpendel.cli.job_file.quantity import ANGLE, LENGTH, RATE, SPEED
+from kugelpendel.cli.job_file.kinds import ANGLE, LENGTH, RATE, SPEED
 from kugelpendel.cli.job_file.sample_times import Grid, read_grid
 from kugelpendel.cli.job_file.table import Table, split
 

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from kugelpendel import InvalidInput
-from kugelpendel.cli.job_file.quantity import TIME, show
+from kugelpendel.cli.job_file.kinds import TIME
+from kugelpendel.cli.job_file.quantity import show
 
 if TYPE_CHECKING:
     from kugelpendel.cli.job_file.table import Table

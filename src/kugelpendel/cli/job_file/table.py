@@ -7,10 +7,12 @@ from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any, cast
 
 from kugelpendel import InvalidInput
-from kugelpendel.cli.job_file.quantity import Kind, read_quantity, show
+from kugelpendel.cli.job_file.quantity import read_quantity, show
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
+
+    from kugelpendel.cli.job_file.kinds import Kind
 
 
 @dataclass(frozen=True)
