@@ -16,7 +16,11 @@ SENTENCES: list[tuple[str, dict[str, dict[str, Any]], list[str]]] = [
     ("no kind", {"launch": {"kind": None, "a": 1}}, ["[launch] kind is missing", '"ellipse"']),
     ("key of another kind", {"launch": {"theta": 1}}, ["theta", 'kind = "apsides"', "azimuth"]),
     ("missing key", {"launch": {"b": None}}, ["[launch] b is missing", 'b = "3 cm"']),
-    ("missing length", {"pendulum": {"length": None}}, ["[pendulum] length is missing", "3 cm"]),
+    (
+        "missing length",
+        {"pendulum": {"length": None}},
+        ["[pendulum] length is missing", 'length = "67 m"'],
+    ),
     ("mass as length", {"launch": {"a": "3 kg"}}, ['a = "3 kg" is not a length', '"3 cm"']),
     ("unknown unit", {"launch": {"a": "3 furlog"}}, ['the unit "furlog" is not known', '"3 cm"']),
     ("broken unit", {"launch": {"a": "3 m**"}}, ['the unit "m**" is not known']),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +13,7 @@ from kugelpendel.cli.design.design_file import read_questions
 from kugelpendel.cli.design.report import print_design
 from kugelpendel.cli.output import staged
 from kugelpendel.cli.terminal.progress import Progress
+from kugelpendel.cli.terminal.streams import write_json
 
 if TYPE_CHECKING:
     from kugelpendel.cli.design.design_file import Questions
@@ -42,17 +42,15 @@ def design(file: Path, folder: Path | None, as_json: bool, checked: bool) -> Non
         Anything wrong with the file or the folder. Nothing is left half-written.
     """
     questions = read_questions(file)
-    try:
+    with questions.document.named():
         found = _answered(questions, checked)
-    except kp.InvalidInput as error:
-        raise kp.InvalidInput(f"{file}: {error}") from error
-    target = folder if folder is not None else Path("out") / file.stem
+    target = folder if folder is not None else Path("out") / questions.file.stem
     results = _as_json(questions, found)
     with staged(target, (FIGURE, RESULTS)) as temporary:
-        plot.save(plot.design(found, file.stem.replace("-", " ")), temporary / FIGURE)
+        plot.save(plot.design(found, questions.file.stem.replace("-", " ")), temporary / FIGURE)
         (temporary / RESULTS).write_text(results, encoding="utf-8")
     if as_json:
-        sys.stdout.write(results)
+        write_json(results)
     else:
         print_design(questions, found)
         print(f"\nIn {target}: {FIGURE}, {RESULTS}")

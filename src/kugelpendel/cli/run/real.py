@@ -85,12 +85,8 @@ def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
 def _follow(job: Job, track: Path, wish: Wish) -> Record:
     """Write the track, with a bar for who waits."""
     with Progress("Following the pendulum", job.grid.duration) as progress:
-        try:
-            return record(
-                track, lambda: real_motion(job), job.grid, job.format, wish, progress.advance
-            )
-        except kp.InvalidInput as error:
-            raise kp.InvalidInput(f"{job.file}: {error}") from error
+        with job.document.named():
+            return record(track, lambda: _motion(job), job.grid, job.format, wish, progress.advance)
 
 
 def real_motion(job: Job) -> kp.RealMotion:
@@ -101,20 +97,22 @@ def real_motion(job: Job) -> kp.RealMotion:
     InvalidInput
         With the name of the file.
     """
+    with job.document.named():
+        return _motion(job)
+
+
+def _motion(job: Job) -> kp.RealMotion:
     setup = job.setup
-    try:
-        refuse_pumping(job.pendulum, job.launch, setup.drag, setup.drive)
-        return kp.RealMotion(
-            job.pendulum,
-            job.launch,
-            site=setup.site,
-            drag=setup.drag,
-            suspension=setup.suspension,
-            bob=setup.bob,
-            drive=setup.drive,
-        )
-    except kp.InvalidInput as error:
-        raise kp.InvalidInput(f"{job.file}: {error}") from error
+    refuse_pumping(job.pendulum, job.launch, setup.drag, setup.drive)
+    return kp.RealMotion(
+        job.pendulum,
+        job.launch,
+        site=setup.site,
+        drag=setup.drag,
+        suspension=setup.suspension,
+        bob=setup.bob,
+        drive=setup.drive,
+    )
 
 
 def _keep(job: Job, found: Findings, temporary: Path, folder: Path) -> None:
