@@ -42,19 +42,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         interrupted.
     """
     try:
-        streams.prepare()
-        options = _parser().parse_args(arguments)
-        code = _answered(options)
-        streams.flush()
+        with streams.guarded():
+            return _answered(_parser().parse_args(arguments))
     except streams.Unwritable as error:
         return _refuse(str(error))
-    except SystemExit as leaving:  # after --help or a wrong argument, which may not be written
-        try:
-            streams.flush()
-        except streams.Unwritable as error:
-            return _refuse(str(error))
-        raise leaving from None
-    return code
+    except BrokenPipeError:
+        return 0  # whoever read has had enough
 
 
 def _answered(options: argparse.Namespace) -> int:
@@ -84,11 +77,6 @@ def _done(options: argparse.Namespace) -> int:
         return _refuse(str(error))
     except ImportError as error:
         return _refuse(_not_installed(error, options))
-    except OSError as error:
-        streams.flush()  # says what is wrong, where standard output is to blame
-        if isinstance(error, BrokenPipeError):
-            return 0
-        raise
     except KeyboardInterrupt as interruption:
         kept = str(interruption) or "interrupted; no file is left half-written."
         streams.complain(kept)

@@ -42,8 +42,8 @@ def compare(file: Path, folder: Path | None, as_json: bool) -> None:
     if job.surroundings:
         tables = ", ".join(f"[{name}]" for name in job.surroundings)
         raise kp.InvalidInput(
-            f"{job.file}: the motions that are compared know no forces but gravity, and the job has "
-            f"{tables}; leave that out, or use `kugelpendel run`."
+            f"{job.file}: the motions that are compared know no forces but gravity, and the job "
+            f"has {tables}; leave that out, or use `kugelpendel run`."
         )
     with job.document.named():
         comparison = kp.compare(job.pendulum, job.launch, job.grid.duration)

@@ -84,9 +84,8 @@ def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
 
 def _follow(job: Job, track: Path, wish: Wish) -> Record:
     """Write the track, with a bar for who waits."""
-    with Progress("Following the pendulum", job.grid.duration) as progress:
-        with job.document.named():
-            return record(track, lambda: _motion(job), job.grid, job.format, wish, progress.advance)
+    with Progress("Following the pendulum", job.grid.duration) as bar, job.document.named():
+        return record(track, lambda: _motion(job), job.grid, job.format, wish, bar.advance)
 
 
 def real_motion(job: Job) -> kp.RealMotion:

@@ -9,6 +9,10 @@ import json
 import os
 import re
 import sys
+from typing import TYPE_CHECKING, Any, TextIO, cast
+
+if TYPE_CHECKING:
+    from collections.abc import Generator
 
 _PLAIN = {
     "−": "-",
@@ -53,34 +57,63 @@ class Unwritable(Exception):
     """Standard output takes no text; the message is the sentence to say."""
 
 
-def prepare() -> None:
-    """Make both streams write any text, in the encoding that they have.
+class _Guarded:
+    """Standard output whose failures are told from those of files."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._stream, name)
+
+    def write(self, text: str) -> int:
+        with _told():
+            return self._stream.write(text)
+
+    def flush(self) -> None:
+        with _told():
+            self._stream.flush()
+
+
+@contextlib.contextmanager
+def guarded() -> Generator[None]:
+    """Make both streams write any text in the encoding that they have, or say why they cannot.
 
     Raises
     ------
     Unwritable
-        Standard output is closed.
+        Standard output is closed, or the device is full. The reader of a pipe that is gone is no
+        error: such as `head`, it has had enough, and all files are written by now.
     """
-    if sys.stdout is None or sys.stdout.closed:
+    stdout = sys.stdout
+    if stdout is None or stdout.closed:
         raise Unwritable(_CLOSED)
-    for stream in (sys.stdout, sys.stderr):
+    for stream in (stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper) and not _is_unicode(stream.encoding):
             stream.reconfigure(errors=_HANDLER)
-
-
-def flush() -> None:
-    """Write what is left to write.
-
-    Raises
-    ------
-    Unwritable
-        The device is full, or takes nothing. The reader of a pipe that is gone is no error: such
-        as `head`, it has had enough, and all files are written by now.
-    """
+    sys.stdout = cast("TextIO", _Guarded(stdout))
     try:
+        yield
+        _flush()
+    except SystemExit:  # after --help, which has to be written too
+        _flush()
+        raise
+    finally:
+        sys.stdout = stdout
+
+
+def _flush() -> None:
+    with contextlib.suppress(BrokenPipeError):
         sys.stdout.flush()
+
+
+@contextlib.contextmanager
+def _told() -> Generator[None]:
+    try:
+        yield
     except BrokenPipeError:
         _give_up()
+        raise
     except OSError as error:
         _give_up()
         raise Unwritable(
@@ -107,7 +140,8 @@ def write_json(text: str) -> None:
 def write_bytes(content: bytes) -> None:
     """Write a file to standard output, whatever the encoding of text there is."""
     sys.stdout.flush()
-    sys.stdout.buffer.write(content)
+    with _told():
+        sys.stdout.buffer.write(content)
 
 
 def _is_unicode(encoding: str | None) -> bool:
