@@ -12,6 +12,7 @@ from kugelpendel.cli.compare import arguments as compare
 from kugelpendel.cli.derive import arguments as derive
 from kugelpendel.cli.design import arguments as design
 from kugelpendel.cli.extras import missing_of
+from kugelpendel.cli.options import Refused
 from kugelpendel.cli.run import arguments as run
 from kugelpendel.cli.terminal import streams
 from kugelpendel.cli.validity import arguments as validity
@@ -44,7 +45,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         with streams.guarded():
             return _answered(_parser().parse_args(arguments))
-    except streams.Unwritable as error:
+    except (streams.Unwritable, Refused) as error:
         return _refuse(str(error))
     except BrokenPipeError:
         return 0  # whoever read has had enough

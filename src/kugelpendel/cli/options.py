@@ -28,22 +28,32 @@ class Commands(Protocol):
         ...
 
 
+class Refused(Exception):
+    """An argument that makes no sense; the message is the sentence to say.
+
+    It is none of the errors of which argparse would make a line of its own.
+    """
+
+
 def a_path(text: str) -> Path:
     """A path, in which ``~`` is the user's folder; ``-`` stays what it is."""
     if not text:
-        raise argparse.ArgumentTypeError("a name is missing; an empty one names no file or folder")
+        raise Refused("an empty name names no file or folder; write . for the present folder.")
     try:
         return Path(text).expanduser()
     except RuntimeError as error:  # no such user, or one without a folder
-        raise argparse.ArgumentTypeError(f"{text}: {error}; write the whole path") from error
+        raise Refused(
+            f"{text}: there is no user of that name; write ~ alone for your own folder, or "
+            f"./{text} for a file whose name begins so."
+        ) from error
 
 
 def a_folder(text: str) -> Path:
     """A folder for several files, which standard output cannot be."""
     if text == "-":
-        raise argparse.ArgumentTypeError(
-            "several files do not fit into standard output; --json prints the results there, and "
-            "./- is a folder of that name"
+        raise Refused(
+            "--out -: several files do not fit into standard output; --json prints the results "
+            "there, and ./- is a folder of that name."
         )
     return a_path(text)
 

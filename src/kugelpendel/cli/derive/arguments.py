@@ -41,19 +41,29 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "--check", action="store_true", help="run all proofs; the exit code is 1 if one fails"
     )
+    parser.add_argument(
+        "--json", action="store_true", help="print the list of --misprints or --check as JSON"
+    )
     parser.set_defaults(do=_derive, extra="paper")
 
 
 def _derive(options: argparse.Namespace) -> int:
     from kugelpendel.cli.derive.command import derive, list_misprints, refuse_mixture
 
-    refuse_mixture(options.check, options.misprints, options.equation, options.format, options.out)
+    refuse_mixture(
+        options.check,
+        options.misprints,
+        options.json,
+        options.equation,
+        options.format,
+        options.out,
+    )
     if options.check:
         from kugelpendel.cli.derive.check import check
 
-        return check(options.equation, options.lang)
+        return check(options.equation, options.lang, options.json)
     if options.misprints:
-        list_misprints(options.lang)
+        list_misprints(options.lang, options.json)
     else:
         derive(options.equation, options.lang, options.format, options.out)
     return 0
