@@ -4,13 +4,6 @@ import sys
 
 import pytest
 
-from kugelpendel.cli.extras import missing_of
-
-
-def test_nothing_is_missing() -> None:
-    assert missing_of("run") == []
-    assert missing_of("paper") == []
-
 
 def test_all_that_is_missing_is_named(call, write, monkeypatch: pytest.MonkeyPatch) -> None:
     for name in ("pint", "rich", "pyarrow"):
@@ -19,7 +12,6 @@ def test_all_that_is_missing_is_named(call, write, monkeypatch: pytest.MonkeyPat
 
     units._parsed.cache_clear()
     units._registry.cache_clear()
-    assert missing_of("run") == ["pint", "pyarrow", "rich"]
     outcome = call("run", write())
     assert outcome.code == 2
     assert outcome.err == (

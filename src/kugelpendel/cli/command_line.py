@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from kugelpendel.cli.compare import arguments as compare
 from kugelpendel.cli.derive import arguments as derive
 from kugelpendel.cli.design import arguments as design
-from kugelpendel.cli.extras import missing_of
 from kugelpendel.cli.options import Refused
 from kugelpendel.cli.run import arguments as run
 from kugelpendel.cli.terminal import streams
@@ -68,16 +67,14 @@ def _answered(options: argparse.Namespace) -> int:
 def _done(options: argparse.Namespace) -> int:
     """Run the command, and say in a sentence what it refuses."""
     do: Callable[[argparse.Namespace], int] = options.do
-    try:
-        from kugelpendel import InvalidInput
-    except ImportError as error:
-        return _refuse(_not_installed(error, options))
+    from kugelpendel.errors import KugelpendelError
+
     try:
         return do(options)
-    except InvalidInput as error:
-        return _refuse(str(error))
     except ImportError as error:
         return _refuse(_not_installed(error, options))
+    except KugelpendelError as error:
+        return _refuse(error.sentence(door="file"))
     except KeyboardInterrupt as interruption:
         kept = str(interruption) or "interrupted; no file is left half-written."
         streams.complain(kept)
@@ -86,13 +83,14 @@ def _done(options: argparse.Namespace) -> int:
 
 def _not_installed(error: ImportError, options: argparse.Namespace) -> str:
     """Name all that is missing of the extra, so that it is installed in one go."""
-    missing = missing_of(options.extra) or [error.name or str(error)]
-    named = f"{', '.join(missing[:-1])} and {missing[-1]}" if len(missing) > 1 else missing[0]
-    verb, it = ("are", "them") if len(missing) > 1 else ("is", "it")
-    return (
-        f"{named} {verb} not installed, and `kugelpendel {options.command}` needs {it}: "
-        f"python -m pip install 'kugelpendel[{options.extra}]'"
-    )
+    from kugelpendel.errors import MissingExtra, require_extra
+
+    what = f"`kugelpendel {options.command}`"
+    try:
+        require_extra(options.extra, what)
+    except MissingExtra as missing:
+        return missing.sentence(door="file")
+    return f"{what} cannot be run: {error}"
 
 
 def _refuse(sentence: str) -> int:

@@ -72,9 +72,9 @@ def test_other_ways_to_write_a_table(text: str, line: int) -> None:
         ({"pendulum": {"lenght": 1}}, "job.toml, line 4: [pendulum] lenght"),
         ({"launch": {"b": None}}, "job.toml, line 4: [launch] b is missing"),
         ({"output": {"samples": 5}}, "job.toml, line 12: [output] has both"),
-        ({"drag": {"quality": 0}}, "job.toml, line 12: [drag] The quality factor"),
+        ({"drag": {"quality": 0}}, "job.toml, line 13: [drag] The quality factor"),
         ({"sight": {"x": 1}}, "job.toml, line 12: [sight] is not known"),
-        ({"pendulum": {"length": -1}}, "job.toml, line 1: [pendulum]"),
+        ({"pendulum": {"length": -1}}, "job.toml, line 2: [pendulum] The pendulum"),
     ],
 )
 def test_a_mistake_names_its_line(call, write, changes: dict, place: str) -> None:

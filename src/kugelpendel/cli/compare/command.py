@@ -39,8 +39,8 @@ def compare(file: Path, folder: Path | None, as_json: bool) -> None:
         Anything wrong with the file or the folder. Nothing is left half-written.
     """
     job = read_job(file)
-    if job.surroundings:
-        tables = ", ".join(f"[{name}]" for name in job.surroundings)
+    if job.is_real:
+        tables = ", ".join(f"[{name}]" for name in job.forces.parts)
         raise kp.InvalidInput(
             f"{job.file}: the motions that are compared know no forces but gravity, and the job "
             f"has {tables}; leave that out, or use `kugelpendel run`."

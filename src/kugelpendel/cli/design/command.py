@@ -57,7 +57,6 @@ def design(file: Path, folder: Path | None, as_json: bool, checked: bool) -> Non
 
 
 def _answered(questions: Questions, checked: bool) -> kp.Design:
-    setup = questions.setup
     with Progress("Running the checks", 1000) as progress:
         shown = 0
 
@@ -68,15 +67,11 @@ def _answered(questions: Questions, checked: bool) -> kp.Design:
             shown = now
 
         return kp.design(
-            setup.pendulum,
+            questions.pendulum,
             questions.a,
             questions.b,
             azimuth=questions.azimuth,
-            site=setup.site,
-            drag=setup.drag,
-            suspension=setup.suspension,
-            bob=setup.bob,
-            drive=setup.drive,
+            forces=questions.forces,
             wire=questions.wire,
             share=questions.share,
             after=questions.after,

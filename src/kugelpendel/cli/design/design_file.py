@@ -9,7 +9,7 @@ import kugelpendel as kp
 from kugelpendel.cli.job_file import schema
 from kugelpendel.cli.job_file.document import Document, read_document
 from kugelpendel.cli.job_file.entries import Entries, take_apart
-from kugelpendel.cli.job_file.forces import Setup, read_setup
+from kugelpendel.cli.job_file.forces import read_forces
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -20,7 +20,9 @@ class Questions:
     """What a file asks, checked key by key, in SI."""
 
     document: Document
-    setup: Setup
+    pendulum: kp.Pendulum
+    has_mass: bool
+    forces: kp.Forces
     a: float
     b: float
     azimuth: float
@@ -48,9 +50,12 @@ def read_questions(path: Path) -> Questions:
     with document.named():
         tables = take_apart(document.tables, schema.DESIGN)
         swing, asked = tables["swing"], tables["questions"]
+        pendulum, has_mass, forces = read_forces(tables, document.tables)
         return Questions(
             document=document,
-            setup=read_setup(tables, document.tables),
+            pendulum=pendulum,
+            has_mass=has_mass,
+            forces=forces,
             a=swing.number("a"),
             b=swing.number("b"),
             azimuth=swing.number("azimuth"),

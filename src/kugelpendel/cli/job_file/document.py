@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from kugelpendel import InvalidInput
+from kugelpendel import InvalidInput, KugelpendelError
 from kugelpendel.cli.job_file.entries import Mistake
 from kugelpendel.cli.job_file.schema_text import example
 
@@ -46,12 +46,19 @@ class Document:
         """Name the file, and where it can be known the line, in what is refused."""
         try:
             yield
-        except Mistake as error:
-            line = line_of(self.text, error.section, error.key)
-            where = f"{self.path}, line {line}" if line else f"{self.path}"
-            raise InvalidInput(f"{where}: {error}") from error
-        except InvalidInput as error:
-            raise InvalidInput(f"{self.path}: {error}") from error
+        except KugelpendelError as error:
+            line = self._line(error)
+            raise error.at(f"{self.path}, line {line}: " if line else f"{self.path}: ") from error
+
+    def _line(self, error: KugelpendelError) -> int | None:
+        """Where the mistake stands: that of the table and key, or of the value that was seen."""
+        if isinstance(error, Mistake):
+            return line_of(self.text, error.section, error.key)
+        for seen in error.values:
+            section, _, key = seen.name.rpartition(".")
+            if key in self.tables.get(section, ()):
+                return line_of(self.text, section, key)
+        return None
 
 
 def read_document(path: Path, schema: FileSchema) -> Document:

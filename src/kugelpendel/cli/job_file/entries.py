@@ -17,15 +17,47 @@ if TYPE_CHECKING:
     from collections.abc import Generator, Iterable, Mapping
 
     from kugelpendel.cli.job_file.schema import FileSchema, Section
+    from kugelpendel.errors import Door, Language
 
 
 class Mistake(InvalidInput):
-    """Something wrong in a file, with the table and the key where it stands; "" for none."""
+    """Something wrong in a file.
 
-    def __init__(self, sentence: str, section: str = "", key: str = "") -> None:
-        super().__init__(sentence)
+    Parameters
+    ----------
+    said
+        The sentence; empty for that of the cause, with the table in front of it.
+    section, key
+        Where it stands; empty for nowhere.
+    cause
+        What a parameter refuses.
+    """
+
+    def __init__(
+        self,
+        said: str = "",
+        section: str = "",
+        key: str = "",
+        *,
+        cause: InvalidInput | None = None,
+        place: str = "",
+    ) -> None:
+        super().__init__(said, place=place)
         self.section = section
         self.key = key
+        self.cause = cause
+
+    def sentence(self, language: Language = "en", door: Door = "file") -> str:
+        """What was wrong, the value seen, and the way out in a file."""
+        if self.cause is None:
+            return super().sentence(language, door)
+        return f"{self.place}[{self.section}] {self.cause.sentence(language, door)}"
+
+    def at(self, place: str) -> Mistake:
+        """The same with its place in front of the sentence."""
+        return Mistake(
+            self.args[0], self.section, self.key, cause=self.cause, place=f"{place}{self.place}"
+        )
 
 
 @dataclass(frozen=True)
@@ -144,8 +176,12 @@ class Entries:
         except Mistake:
             raise
         except InvalidInput as error:
-            said = str(error) if key else f"[{self.section.name}] {error}"
-            raise Mistake(said, self.section.name, key) from error
+            if key:
+                raise Mistake(str(error), self.section.name, key) from error
+            # Its values have names such as drag.linear, or those of the launch alone.
+            names = (seen.name.rpartition(".")[2] for seen in error.values)
+            key = next((name for name in names if name in self), "")
+            raise Mistake("", self.section.name, key, cause=error) from error
 
     def _missing(self, key: str) -> NoReturn:
         pasted = value_to_paste(self.section.key(key))

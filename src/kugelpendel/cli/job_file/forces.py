@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import kugelpendel as kp
@@ -15,25 +15,14 @@ if TYPE_CHECKING:
 
     from kugelpendel.cli.job_file.entries import Entries
 
-SURROUNDINGS = tuple(section.name for section in schema.FORCES)
+FORCES = tuple(section.name for section in schema.FORCES)
 """The tables that a file may have beside ``[pendulum]``."""
 
 
-@dataclass(frozen=True)
-class Setup:
-    """A pendulum and what acts on it; None for what the file has no table of."""
-
-    pendulum: kp.Pendulum
-    has_mass: bool
-    site: kp.Site | None
-    drag: kp.Drag | None
-    suspension: kp.Suspension | None
-    bob: kp.Bob | None
-    drive: kp.Drive | None
-
-
-def read_setup(tables: Mapping[str, Entries], present: Mapping[str, object]) -> Setup:
-    """Read ``[pendulum]`` and what acts.
+def read_forces(
+    tables: Mapping[str, Entries], present: Mapping[str, object]
+) -> tuple[kp.Pendulum, bool, kp.Forces]:
+    """Read the pendulum, whether a mass was given, and what acts.
 
     Parameters
     ----------
@@ -53,15 +42,14 @@ def read_setup(tables: Mapping[str, Entries], present: Mapping[str, object]) -> 
     if bob is not None:
         with tables["bob"].at():
             bob.gravity_factor(pendulum.length)
-    return Setup(
-        pendulum=pendulum,
-        has_mass="mass" in tables["pendulum"] or bob is not None,
+    forces = kp.Forces(
         site=site,
         drag=_drag(tables["drag"], pendulum, bob) if "drag" in present else None,
         suspension=_suspension(tables["suspension"]) if "suspension" in present else None,
         bob=bob,
         drive=_drive(tables["drive"]) if "drive" in present else None,
     )
+    return pendulum, "mass" in tables["pendulum"] or bob is not None, forces
 
 
 def _pendulum(table: Entries, site: kp.Site | None, bob: kp.Bob | None) -> kp.Pendulum:

@@ -12,7 +12,7 @@ import kugelpendel as kp
 from kugelpendel.cli.job_file import schema
 from kugelpendel.cli.job_file.document import Document, read_document
 from kugelpendel.cli.job_file.entries import Entries, take_apart
-from kugelpendel.cli.job_file.forces import SURROUNDINGS, Setup, read_setup
+from kugelpendel.cli.job_file.forces import read_forces
 from kugelpendel.cli.job_file.sample_times import Grid, read_grid
 
 if TYPE_CHECKING:
@@ -24,11 +24,12 @@ LAUNCHES = {way.word: way.keys for way in schema.LAUNCH.ways}
 
 @dataclass(frozen=True)
 class Job:
-    """What a job file asks for, checked, in SI."""
+    """What a job file asks for, checked, in SI; ``has_mass`` where a mass or a bob was given."""
 
     document: Document
-    setup: Setup
-    kind: str
+    pendulum: kp.Pendulum
+    has_mass: bool
+    forces: kp.Forces
     launch: kp.Launch
     grid: Grid
     format: str
@@ -40,19 +41,9 @@ class Job:
         return self.document.path
 
     @property
-    def pendulum(self) -> kp.Pendulum:
-        """What swings."""
-        return self.setup.pendulum
-
-    @property
-    def has_mass(self) -> bool:
-        """Whether a mass was given, by itself or with the bob."""
-        return self.setup.has_mass
-
-    @property
-    def surroundings(self) -> list[str]:
-        """The tables of the real pendulum that the file has; none for an ideal one."""
-        return [name for name in SURROUNDINGS if getattr(self.setup, name) is not None]
+    def is_real(self) -> bool:
+        """Whether the file has a table of what acts."""
+        return bool(self.forces.parts)
 
 
 def read_job(path: Path) -> Job:
@@ -72,10 +63,12 @@ def read_job(path: Path) -> Job:
     with document.named():
         tables = take_apart(document.tables, schema.JOB)
         launch, output = tables["launch"], tables["output"]
+        pendulum, has_mass, forces = read_forces(tables, document.tables)
         return Job(
             document=document,
-            setup=read_setup(tables, document.tables),
-            kind=launch.word("kind"),
+            pendulum=pendulum,
+            has_mass=has_mass,
+            forces=forces,
             launch=_launch(launch),
             grid=read_grid(output),
             format=output.word("format"),

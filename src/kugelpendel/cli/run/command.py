@@ -46,7 +46,7 @@ def run(file: Path, folder: Path | None, as_json: bool, track_format: str | None
     if track_format is not None:
         job = replace(job, format=track_format)
     target = folder if folder is not None else Path("out") / job.file.stem
-    do = run_real if job.surroundings else _run_ideal
+    do = run_real if job.is_real else _run_ideal
     results, said, files = do(job, target, _capitalised(job.file.stem))
     if as_json:
         write_json(results)

@@ -23,7 +23,6 @@ from kugelpendel.cli.terminal.estimate import Wish
 from kugelpendel.cli.terminal.interrupted import Interrupted
 from kugelpendel.cli.terminal.progress import Progress
 from kugelpendel.cli.track.track import FIGURE, FILES
-from kugelpendel.motion import refuse_pumping
 from kugelpendel.spelling import spell
 
 if TYPE_CHECKING:
@@ -69,7 +68,7 @@ def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
     writes = (track, FIGURE, ideal_json.FILE) if job.figure else (track, ideal_json.FILE)
     with staged(target, _FILES, writes) as temporary, Wish() as wish:
         seen = _follow(job, temporary / track, wish)
-        found = find(job.setup, job.launch, motion, seen)
+        found = find(job, motion, seen)
         files = [track]
         if seen.stopped:
             _keep(job, found, temporary, _aside(target))
@@ -101,17 +100,7 @@ def real_motion(job: Job) -> kp.RealMotion:
 
 
 def _motion(job: Job) -> kp.RealMotion:
-    setup = job.setup
-    refuse_pumping(job.pendulum, job.launch, setup.drag, setup.drive)
-    return kp.RealMotion(
-        job.pendulum,
-        job.launch,
-        site=setup.site,
-        drag=setup.drag,
-        suspension=setup.suspension,
-        bob=setup.bob,
-        drive=setup.drive,
-    )
+    return kp.RealMotion(job.pendulum, job.launch, job.forces)
 
 
 def _keep(job: Job, found: Findings, temporary: Path, folder: Path) -> None:
