@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import kugelpendel as kp
 from kugelpendel import plot
-from kugelpendel.cli.compare.report import print_comparison
+from kugelpendel.cli.compare.report import comparison_report
 from kugelpendel.cli.job_file.job import read_job
 from kugelpendel.cli.output import staged
 from kugelpendel.cli.terminal.describe import describe_launch
@@ -57,7 +57,7 @@ def compare(file: Path, folder: Path | None, as_json: bool) -> None:
     if as_json:
         write_json(results)
     else:
-        print_comparison(job, comparison)
+        print(comparison_report(job, comparison))
         files = [FIGURE, RESULTS] if job.figure else [RESULTS]
         print(f"\nIn {target}: {', '.join(files)}")
 
