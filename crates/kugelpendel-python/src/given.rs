@@ -57,7 +57,7 @@ pub(crate) fn problem_kinds() -> Vec<(u8, &'static str)> {
     Invalid::KINDS.to_vec()
 }
 
-type Columned<'py> = HashMap<String, PyReadonlyArray1<'py, f64>>;
+pub(crate) type Columned<'py> = HashMap<String, PyReadonlyArray1<'py, f64>>;
 
 /// What is wrong with one set of numbers, named as in "drag.linear", if anything is.
 #[pyfunction]

@@ -4,6 +4,7 @@ from ._day import day as day
 from ._design import design as design
 from ._overview import overview as overview
 from ._overview import save as save
+from ._portrait import portrait as portrait
 from ._turning import turning_rate as turning_rate
 from ._validity import validity as validity
 
@@ -13,6 +14,7 @@ __all__ = [
     "day",
     "design",
     "overview",
+    "portrait",
     "save",
     "turning_rate",
     "validity",

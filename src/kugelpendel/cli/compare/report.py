@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import sys
 from typing import TYPE_CHECKING
 
 from kugelpendel.cli.terminal.describe import describe_launch, describe_pendulum
@@ -11,14 +10,9 @@ from kugelpendel.cli.terminal.tables import facts, listing, numbers
 from kugelpendel.spelling import general, significant, spell, spell_percent, spell_rate
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
     import kugelpendel as kp
     from kugelpendel.cli.job_file.job import Job
     from kugelpendel.observables import Compared
-
-WIDTH = 100
-"""Columns where the output is no terminal."""
 
 _NONE = "–"
 
@@ -40,28 +34,6 @@ def comparison_report(job: Job, comparison: kp.Comparison) -> str:
         )
     )
     return "\n\n".join((start, _errors(comparison), _sentences(comparison)))
-
-
-def print_table(table: Table) -> None:
-    """Print it after a blank line, as wide as the terminal, or 100 columns where there is none."""
-    from rich.console import Console
-
-    console = Console(highlight=False, width=None if sys.stdout.isatty() else WIDTH)
-    with console.capture() as captured:
-        console.print(table)
-    lines = [line.rstrip() for line in captured.get().splitlines()]
-    print("\n" + "\n".join(line for line in lines if line))
-
-
-def plain_table(*columns: str, text: int = 1) -> Table:
-    """A table without a frame; all columns but the first few are numbers, to the right."""
-    from rich import box
-    from rich.table import Table
-
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="")
-    for index, column in enumerate(columns):
-        table.add_column(column, justify="left" if index < text else "right", no_wrap=True)
-    return table
 
 
 def _errors(comparison: kp.Comparison) -> str:
