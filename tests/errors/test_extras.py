@@ -24,10 +24,6 @@ except kp.MissingExtra as error:
 """
 
 
-MODULES = {"markdown-it-py": "markdown_it"}
-"""Packages that are imported under another name than their own."""
-
-
 def said(names: list[str], statement: str) -> str:
     script = BLOCKED.format(names=names, statement=statement)
     return subprocess.run(
@@ -38,8 +34,7 @@ def said(names: list[str], statement: str) -> str:
 def test_the_packages_are_those_of_the_project(repository: Path) -> None:
     project = tomllib.loads((repository / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     for extra, packages in project["optional-dependencies"].items():
-        names = [re.split("[<>=]", name)[0] for name in packages]
-        assert sorted(EXTRAS[extra]) == sorted(MODULES.get(name, name) for name in names)
+        assert sorted(EXTRAS[extra]) == sorted(re.split("[<>=]", name)[0] for name in packages)
 
 
 def test_all_that_is_missing_is_named_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -68,6 +63,9 @@ def test_all_that_is_missing_is_named_at_once(monkeypatch: pytest.MonkeyPatch) -
         (["matplotlib"], "import kugelpendel.plot; kugelpendel.plot.overview",
          "matplotlib is not installed, and kugelpendel.plot needs it: python -m pip install "
          "'kugelpendel[run]'"),
+        (["markdown_it"], "import kugelpendel.paper; kugelpendel.paper.write",
+         "markdown-it-py is not installed, and kugelpendel.paper needs it: python -m pip install "
+         "'kugelpendel[paper]'"),
         (["sympy", "mpmath"], "import kugelpendel.paper; kugelpendel.paper.formula",
          "mpmath and sympy are not installed, and kugelpendel.paper needs them: python -m pip "
          "install 'kugelpendel[paper]'"),

@@ -26,6 +26,7 @@ from kugelpendel.parameters import (
     Wire,
     as_numbers,
     gathered,
+    require_type,
 )
 
 _QUESTIONS: tuple[Callable[[Case], Iterator[DesignAnswer]], ...] = (
@@ -149,6 +150,7 @@ def design(
     Formulas for b ≪ a ≪ l are first orders; the check beside each says how good they are here, and
     where a check contradicts its formula, the note says so.
     """
+    require_type("The pendulum", pendulum, Pendulum)
     numbers = (
         _one(a, "The amplitude a", "m"), _one(b, "b", "m"), _one(azimuth, "The azimuth", "rad"),
     )  # fmt: skip
