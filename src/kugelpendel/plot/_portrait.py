@@ -20,7 +20,7 @@ from kugelpendel.motion import EnvelopeMotion
 from kugelpendel.observables import Portrait
 from kugelpendel.parameters import InvalidInput
 from kugelpendel.plot import _ink
-from kugelpendel.plot._units import spell, spell_rate, unit_for
+from kugelpendel.spelling import spell, spell_rate, unit_for
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
