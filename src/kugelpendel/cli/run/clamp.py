@@ -28,16 +28,11 @@ def clamp_notes(job: Job) -> dict[str, str]:
         return {}
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # the report says what the averaged motion warns of
+            warnings.simplefilter("ignore")  # the report has the motion's own caution
             start = kp.Portrait.of(envelope(job))
-            found = kp.design(
-                job.pendulum,
-                start.a,
-                start.b,
-                azimuth=start.azimuth,
-                forces=job.forces,
-                checked=False,
-            )
+        found = kp.design(
+            job.pendulum, start.a, start.b, azimuth=start.azimuth, forces=job.forces, checked=False
+        )
     except kp.InvalidInput:
         return {}
     return {name: found[key].note for name, key in _QUESTIONS.items() if key in found}
