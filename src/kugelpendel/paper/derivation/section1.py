@@ -128,8 +128,11 @@ _VECTORS = (
 
 _DIFFERENTIATE = Step(Kind.DIFFERENTIATE, ("2",), (c.INEXTENSIBLE,))
 _AGAIN = Step(Kind.DIFFERENTIATE, ("3.1",), (c.INEXTENSIBLE,))
-_SPHERE = Step(Kind.DEFINE, (), (c.DOWNWARD,))
-_TRIAD = Step(Kind.PROJECT, ("2",), (c.OFF_AXIS,))
+_SPHERE = Step(Kind.DEFINE, (), (c.SPHERE,))
+_HEIGHT = Step(Kind.DEFINE, (), (c.SPHERE, c.DOWNWARD))
+_TRIAD = Step(
+    Kind.PROJECT, ("2",), (c.OFF_AXIS,), detail=r"1, \quad \frac{1}{l}, \quad \frac{1}{l \sin \theta}"
+)
 _FIRST = Proof(identity(_rates("2")), _ANY)
 _SECOND = Proof(identity(_rates("3.1")), _ANY)
 
@@ -137,17 +140,17 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "1",
         r"m\ddot{\vec{r}} = mg\vec{e}_z - T\vec{e}_r",
-        Step(Kind.LAW, (), (c.INERTIAL, c.SPHERE)),
+        Step(Kind.LAW, (), (c.INERTIAL, c.SPHERE, c.DOWNWARD)),
         Proof(_newton, _MOVING),
         number="1",
     ),
     claim("2:x", r"x = l \sin \theta \cos \phi", _SPHERE, Proof(_angles, _ANY), number="2"),
     claim("2:y", r"y = l \sin \theta \sin \phi", _SPHERE, Proof(_angles, _ANY), number="2"),
-    claim("2:z", r"z = l \cos \theta", _SPHERE, Proof(_angles, _ANY), number="2"),
+    claim("2:z", r"z = l \cos \theta", _HEIGHT, Proof(_angles, _ANY), number="2"),
     claim(
         "3",
         r"r = l",
-        Step(Kind.LAW, ("2",), (c.SPHERE, c.INEXTENSIBLE)),
+        Step(Kind.LAW, ("2",), (c.SPHERE,)),
         Proof(follows(_norm), _ANY),
         number="3",
     ),

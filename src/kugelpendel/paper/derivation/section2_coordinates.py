@@ -248,7 +248,7 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "8:1",
         r"l^2 \frac{d}{dt} (\dot{\phi} \sin^2 \theta) = \frac{d}{dt} (x\dot{y} - y\dot{x})",
-        Step(Kind.SUBSTITUTE, ("6.2:2",)),
+        Step(Kind.SUBSTITUTE, ("6.2:2",), (c.INEXTENSIBLE,)),
         Proof(given("6.2:2"), _ANY),
         printed=r"\frac{1}{l^2} \frac{d}{dt} (\dot{\phi} \sin^2 \theta) = "
         r"\frac{d}{dt} (x\dot{y} - y\dot{x})",
@@ -272,7 +272,7 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "8.1:2",
         rf"= m {_POSITION} \times {_SPEED}",
-        Step(Kind.SUBSTITUTE, ("8.1:1",)),
+        Step(Kind.REARRANGE, ("8.1:1",)),
         Proof(continued("8.1:1"), _ANY),
         printed=rf"= m {_SPEED} \times {_POSITION}",
         head="8.1:1",
@@ -357,7 +357,7 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "10.5",
         r"\ddot{\theta} - \dot{\phi}^2 \sin \theta \cos \theta + \omega_0^2 \sin \theta = 0",
-        Step(Kind.REARRANGE, ("5b", "10.4"), (c.OMEGA_ZERO,)),
+        Step(Kind.REARRANGE, ("5b", "10.4"), (c.OMEGA_ZERO, c.OFF_AXIS, c.NOT_EQUATOR)),
         Proof(both(follows(lambda p: p["10.4"]), _is_5b), _MOVING),
     ),
 )

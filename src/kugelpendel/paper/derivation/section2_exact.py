@@ -190,7 +190,7 @@ FORMULAS: tuple[Formula, ...] = (
         + _T
         + rf" + \frac{{\rho^2}}{{l^2}}{_SQUARES} + "
         + r"\omega_0^2(x^2 + y^2)\sqrt{1 - \frac{\rho^2}{l^2}} = 0",
-        Step(Kind.SUBSTITUTE, ("10", "10.7:9", "10.8"), (c.X_NOT_ZERO, c.LOWER_HALF)),
+        Step(Kind.SUBSTITUTE, ("10", "10.7:9", "10.8"), (c.X_NOT_ZERO, c.NOT_EQUATOR)),
         Proof(follows(_without_y_acceleration), _MOVING),
     ),
     claim(
@@ -200,7 +200,7 @@ FORMULAS: tuple[Formula, ...] = (
         Step(
             Kind.MULTIPLY,
             ("6:1", "10.9"),
-            (c.X_NOT_ZERO, c.LOWER_HALF, c.NOT_EQUATOR),
+            (c.X_NOT_ZERO, c.NOT_EQUATOR),
             detail=r"\frac{x}{x^2 + y^2} = \frac{x}{\rho^2}",
         ),
         Proof(_times_x, _MOVING),
@@ -217,14 +217,14 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "12.2",
         r"\sqrt{1 - \frac{\rho^2}{l^2}} = 1 - \frac{1}{2} \frac{\rho^2}{l^2} + \dots",
-        Step(Kind.EXPAND, (), (c.SMALL,), neglected=r"\frac{\rho^4}{l^4}"),
+        Step(Kind.EXPAND, (), (c.SMALL,), neglected=r"-\frac{1}{8} \frac{\rho^4}{l^4}"),
         Proof(_series, to_order(3, dynamic)),
     ),
     claim(
         "12.3:1",
         r"\omega_0^2 x \sqrt{1 - \frac{\rho^2}{l^2}} "
         r"\approx \omega_0^2 x \left(1 - \frac{1}{2} \frac{\rho^2}{l^2}\right)",
-        Step(Kind.NEGLECT, ("12.2",), (c.SMALL,), neglected=r"\omega_0^2 \frac{x\rho^4}{l^4}"),
+        Step(Kind.NEGLECT, ("12.2",), (c.SMALL,), neglected=r"-\frac{1}{8} \omega_0^2 \frac{x\rho^4}{l^4}"),
         Proof(follows(_root_expanded), to_order(4, dynamic), if_equal=Proof(given(), _MOVING)),
         printed=r"\omega_0^2 x \sqrt{1 - \frac{\rho^2}{l^2}} "
         r"= \omega_0^2 x \left(1 - \frac{1}{2} \frac{\rho^2}{l^2}\right)",
@@ -244,7 +244,8 @@ FORMULAS: tuple[Formula, ...] = (
             Kind.NEGLECT,
             ("6:1", "12", "12.1", "12.3"),
             (c.SMALL, c.SMALL_RATES),
-            neglected=r"\omega_0^2 \frac{x\rho^4}{l^4}",
+            neglected=r"\frac{x}{l^4}(x\dot{x} + y\dot{y})^2 "
+            r"- \frac{1}{8} \omega_0^2 \frac{x\rho^4}{l^4}",
         ),
         Proof(follows(_cubic), to_order(4, dynamic)),
         number="13a",
@@ -256,8 +257,9 @@ FORMULAS: tuple[Formula, ...] = (
         Step(
             Kind.NEGLECT,
             ("6:1", "12", "12.1", "12.3"),
-            (c.SMALL, c.SMALL_RATES, c.SAME_BY_SYMMETRY, c.Y_NOT_ZERO),
-            neglected=r"\omega_0^2 \frac{y\rho^4}{l^4}",
+            (c.SMALL, c.SMALL_RATES, c.SAME_BY_SYMMETRY),
+            neglected=r"\frac{y}{l^4}(x\dot{x} + y\dot{y})^2 "
+            r"- \frac{1}{8} \omega_0^2 \frac{y\rho^4}{l^4}",
         ),
         Proof(follows(_exchanged), to_order(4, dynamic)),
         number="13b",
