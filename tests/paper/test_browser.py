@@ -92,7 +92,7 @@ def test_page(opened: webdriver.Chrome) -> None:
     assert opened.execute_script(count) > 60
     opened.find_element(By.CSS_SELECTOR, 'button[data-open="no"]').click()
     assert opened.execute_script(count) == 0
-    first = opened.find_element(By.CSS_SELECTOR, "article details summary")
+    first = opened.find_element(By.CSS_SELECTOR, ".display details summary")
     first.click()
     assert opened.execute_script(count) == 1
     first.click()

@@ -1,6 +1,6 @@
 //! Real motions: flat arrays in, flat arrays out.
 
-use crate::{Columns, Numbers, launcher, new_array};
+use crate::columns::{Columns, Numbers, launcher, new_array};
 use kugelpendel::{Drive, Event, Forces, Halt, Invalid, Pendulum, Quantity, RealMotion, Thread, Walks};
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;

@@ -1,0 +1,67 @@
+//! Columns of numbers on their way in, and new arrays on their way out.
+
+use kugelpendel::Launch;
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+pub(crate) type Numbers<'py> = Bound<'py, PyArray1<f64>>;
+
+/// Columns of one value for all or of one value each.
+pub(crate) struct Columns<'a>(Vec<&'a [f64]>);
+
+impl<'a> Columns<'a> {
+    /// # Errors
+    /// Another count of columns, or of rows.
+    pub(crate) fn checked(columns: &'a [PyReadonlyArray1<'_, f64>], width: usize, rows: usize) -> PyResult<Self> {
+        let columns = Self(columns.iter().map(PyReadonlyArray1::as_slice).collect::<Result<_, _>>()?);
+        if columns.0.len() != width || columns.0.iter().any(|column| column.len() != 1 && column.len() != rows) {
+            return Err(PyValueError::new_err(format!("this takes {width} columns of 1 or {rows} numbers")));
+        }
+        Ok(columns)
+    }
+
+    pub(crate) fn row<const N: usize>(&self, index: usize) -> [f64; N] {
+        std::array::from_fn(|k| if self.0[k].len() == 1 { self.0[k][0] } else { self.0[k][index] })
+    }
+}
+
+/// Makes the launch of one row.
+pub(crate) type Launcher = fn(&Columns<'_>, usize) -> Launch;
+
+/// What turns a row of numbers into a launch of the given kind, and how many numbers it takes.
+pub(crate) fn launcher(kind: &str) -> Option<(usize, Launcher)> {
+    Some(match kind {
+        "ellipse" => (3, |columns, i| {
+            let [a, b, azimuth] = columns.row(i);
+            Launch::Ellipse { a, b, azimuth }
+        }),
+        "apsides" => (3, |columns, i| {
+            let [a, b, azimuth] = columns.row(i);
+            Launch::Apsides { a, b, azimuth }
+        }),
+        "plane" => (4, |columns, i| {
+            let [x, y, vx, vy] = columns.row(i);
+            Launch::Plane { x, y, vx, vy }
+        }),
+        "angles" => (4, |columns, i| {
+            let [theta, phi, theta_rate, phi_rate] = columns.row(i);
+            Launch::Angles { theta, phi, theta_rate, phi_rate }
+        }),
+        "state" => (6, |columns, i| {
+            let [x, y, z, vx, vy, vz] = columns.row(i);
+            Launch::State { position: [x, y, z], velocity: [vx, vy, vz] }
+        }),
+        _ => return None,
+    })
+}
+
+/// A new array, filled without holding the interpreter.
+pub(crate) fn new_array<'py>(py: Python<'py>, size: usize, fill: impl FnOnce(&mut [f64]) + Send) -> Numbers<'py> {
+    // SAFETY: every element is written by `fill` before anyone else sees the array.
+    let array = unsafe { PyArray1::<f64>::new(py, size, false) };
+    // SAFETY: nobody else has the array yet.
+    let out = unsafe { array.as_slice_mut() }.unwrap_or_default();
+    py.detach(|| fill(out));
+    array
+}
