@@ -37,7 +37,7 @@ def required(latex: str) -> tuple[Requirement, ...]:
         items = tex.read(latex).items
     except tex.UnknownTeX as error:
         raise NotationError(str(error)) from error
-    reading = Reading(latex, {single(rate): symbol for rate, symbol in STILL_RATE.items()})
+    reading = _reading(latex)
     signs = [place for place, item in enumerate(items) if operator(item) in SIGNS]
     if len(signs) != 1:
         raise NotationError(f"{latex!r} is not one relation.")
@@ -45,6 +45,21 @@ def required(latex: str) -> tuple[Requirement, ...]:
     right = reading.expression(items[at + 1 :])
     lefts = (reading.expression(part) for part in _parted(items[:at]))
     return tuple(Requirement(left, operator(items[at]), right) for left in lefts)
+
+
+def quantity(latex: str) -> Expr:
+    """Give a single quantity, in which the constants' rates may stand.
+
+    Raises
+    ------
+    NotationError
+        It cannot be read.
+    """
+    return _reading(latex).expression(tex.read(latex).items)
+
+
+def _reading(latex: str) -> Reading:
+    return Reading(latex, {single(rate): symbol for rate, symbol in STILL_RATE.items()})
 
 
 def _parted(items: tuple[Node, ...]) -> list[tuple[Node, ...]]:

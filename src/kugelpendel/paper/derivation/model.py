@@ -49,6 +49,7 @@ class Kind(StrEnum):
     COMPARE = "compare"  # coefficients of independent functions of time
     ADD = "add"
     SUBTRACT = "subtract"
+    STATE = "state"  # no step of the paper: said in the wording
 
 
 @dataclass(frozen=True)

@@ -117,7 +117,7 @@ class Writer:
                 f"{self._links([one.where])}{BREAK}{ui(f'misprint_{one.kind}')}",
                 f"~~{self._say(words.printed(one))}~~{BREAK}**{self._say(words.right(one))}**",
                 self._reasons(one),
-                self._links(one.travels) if one.travels else ui("stays"),
+                self._links(one.travels) if one.travels else "–",
             ]
             for one in self._document.misprints
         ]
