@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
-from functools import cache
+from functools import cache, lru_cache
 
 from kugelpendel.paper.algebra.symbols import (
     RATE,
@@ -28,6 +28,7 @@ from kugelpendel.paper.algebra.symbols import (
     ydd,
 )
 from kugelpendel.paper.algebra.sympy_names import (
+    Abs,
     Add,
     Dummy,
     Expr,
@@ -137,9 +138,19 @@ def is_zero(expression: Expr) -> bool:
     expression in them is zero if its numerator's remainder is. √(1 − sin²θ) counts as cos θ: the
     lower half of the sphere.
     """
+    return expression == 0 or _vanishes(expression, _supposed.get())
+
+
+@lru_cache(maxsize=20_000)
+def _vanishes(expression: Expr, _: tuple[tuple[Expr, Expr], ...]) -> bool:
+    """Decide it once for an expression and what is supposed to move."""
     expression, angles = _polynomial_angles(carry_out(expression))
     roots = {p for p in expression.atoms(Pow) if p.exp.is_Rational and p.exp.q == 2}
     rules: list[tuple[Expr, Expr]] = []
+    for bars in sorted(expression.atoms(Abs), key=str):  # |u| is the root of u²
+        root = Dummy("W", nonnegative=True)
+        rules.append((root, bars.args[0] ** 2))
+        expression = expression.xreplace({bars: root})
     for power in sorted(roots, key=str):
         radicand = power.base
         root = next((_cosine(q) for q in angles if _same_square(radicand, q, angles)), None)

@@ -244,8 +244,12 @@ def _is_resolved(work: Work, scales: tuple[Expr, ...]) -> bool:
         unit: scale * Add(*(diff(place[q], letter) * e for q, e in zip((s.x, s.y, s.z), s.CARTESIAN, strict=True)))
         for unit, letter, scale in zip(s.SPHERICAL, (s.l, s.theta, s.phi), scales, strict=True)
     }
+    lengths = [
+        Add(*(part**2 for part in components(unit.expand(), s.CARTESIAN))) for unit in rules.values()
+    ]
     rest = work.relation.difference.xreplace(rules).expand()
-    return all(is_zero(part) for part in components(rest, s.CARTESIAN))
+    parts_left = components(rest, s.CARTESIAN)
+    return all(is_zero(e) for e in (*parts_left, *(length - 1 for length in lengths)))
 
 
 def _scaled(work: Work, power: int) -> bool:
@@ -272,7 +276,7 @@ def _scaled(work: Work, power: int) -> bool:
 def _is_completion(work: Work) -> bool:
     """A term to be added, or a sum in which it stands once with each sign and nothing else changes."""
     if work.relation.op == "":
-        return bool(work.step.premises)
+        return bool(work.step.premises) and not work.step.detail
     term = work.step.detail.removeprefix(r"\pm").strip()
     bare, text = term.replace(" ", ""), work.one.right.replace(" ", "")
     added = work.step.detail.startswith(r"\pm") and f"+{bare}" in text and f"-{bare}" in text

@@ -59,7 +59,9 @@ def faults(one: Formula) -> tuple[str, ...]:
         if not excluding:
             found.append(f"needs a condition against: {probe.name}")
         for condition in excluding:
-            if condition in needless and (len(excluding) == 1 or not condition.silent):
+            others = [other for other in excluding if other is not condition]
+            stated = not condition.silent and all(other.silent for other in others)
+            if condition in needless and (not others or stated):
                 needless.remove(condition)
     found.extend(f"does not need the condition {condition.key}" for condition in needless)
     found.extend(

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from functools import cache
 from typing import Any, cast
 
 from kugelpendel.paper.checks.statements import FIGURES, figure, says
@@ -65,17 +66,21 @@ def faults(place: str, text: str) -> tuple[str, ...]:
             found.append(f"{place}: {word} should say {figure(name)}")
     rest = FIGURE.sub("", STATEMENT.sub("", text))
     found.extend(f"{place}: “{said[0]}” is no figure" for said in _ORDER.finditer(rest))
-    about = _around(place, text)
     for latex in _MATH.findall(rest):
-        bare = _LAYOUT.sub("", latex)
         if latex not in ("=", r"\approx"):
             if _CLAIM.search(re.sub(r"[\^_]\{?\d", "", latex)):
                 found.append(f"{place}: {latex} claims something and is no statement")
-            elif bare not in about:
+            elif not stands(latex, place, text):
                 found.append(f"{place}: {latex} does not stand in the formulas it is said of")
     return tuple(found)
 
 
+def stands(latex: str, place: str, text: str) -> bool:
+    """Whether a quantity stands, as it is written, in the formulas that a text is about."""
+    return _LAYOUT.sub("", latex) in _around(place, text)
+
+
+@cache
 def _around(place: str, text: str) -> str:
     """The LaTeX of all that a text may speak of, one after the other, without layout."""
     table, _, key = place.partition(".")

@@ -77,16 +77,9 @@ def _case(label: str, rules: dict[Expr, Expr], result: Callable[[], Expr]) -> Ju
     return judge
 
 
-def _leading(rules: Callable[[], dict[Expr, Expr]], kept: int) -> Judge:
-    """Both sides agree to that order in the semi-axes, when (25) and (26) are put in."""
-
-    def judge(relation: Relation) -> bool:
-        rest = graded(relation.difference.xreplace(rules()), {s.a: 1, s.b: 1})
-        sides = graded(relation.rhs.xreplace(rules()), {s.a: 1, s.b: 1})
-        first = leading(sides)[0]
-        return first == kept and leading(rest)[0] > first
-
-    return judge
+def _by_25(relation: Relation) -> bool:
+    """What (25) says, in other words: it is so when Ω is put in, and not before."""
+    return not is_zero(relation.difference) and is_zero(relation.difference.xreplace(_found()))
 
 
 def _found() -> dict[Expr, Expr]:
@@ -107,7 +100,8 @@ def _is_straight(case: dict[Expr, Expr]) -> bool:
 
 def _is_level(case: dict[Expr, Expr]) -> bool:
     """There the denominator of (10) and (12) vanishes: 1 − ρ²/l²."""
-    return is_zero((1 - s.rho**2 / s.l**2).subs(case)) and s.rho in case
+    distance = case.get(s.rho, Integer(0))
+    return bool(distance.is_positive) and is_zero((1 - s.rho**2 / s.l**2).subs(case))
 
 
 def _stops_turning(case: dict[Expr, Expr]) -> bool:
@@ -117,6 +111,13 @@ def _stops_turning(case: dict[Expr, Expr]) -> bool:
 def _is_in_a_plane(relation: Relation) -> bool:
     """What one dot each would mean: no angular momentum, x ẏ − y ẋ = 0."""
     return is_zero(relation.difference - right("6.2:1").lhs)
+
+
+def _is_natural(relation: Relation) -> bool:
+    """The root of what the condition on ω0² says, and the positive one."""
+    square = _first(c.OMEGA_ZERO.latex)[2]
+    positive = bool(relation.rhs.is_positive)
+    return relation.lhs == s.omega0 and positive and is_zero(relation.rhs**2 - square)
 
 
 def _is_sideways(relation: Relation) -> bool:
@@ -149,6 +150,8 @@ def _acceleration(relation: Relation) -> bool:
 def _cone(way: int) -> Judge:
     def judge(relation: Relation) -> bool:
         circle = {s.b: way * s.a}
+        if not relation.rhs.subs(s.theta, 0).is_positive:
+            return False
         return cone(relation, circle) and is_zero(relation.lhs - s.omega - way * s.Omega)
 
     return judge
@@ -180,20 +183,13 @@ def _third_component(relation: Relation) -> bool:
     return is_zero(relation.lhs - right("8.1:3").rhs.subs({s.e_x: 0, s.e_y: 0, s.e_z: 1}))
 
 
-def _small_share(relation: Relation) -> bool:
-    value = relation.lhs.xreplace(_found())
-    return leading(graded(value, {s.a: 1, s.b: 1}))[0] == 2
-
-
 _SIGNS = {
     "near-the-bottom": "≈",
     "cone": "≈",
     "opposite-cone": "≈",
-    "turning-per-swing": "≈",
-    "turning-per-minor-axis": "≈",
     **dict.fromkeys(
         (
-            "turning-share", "frequency-share", "period-factor", "tripled", "tripled-phase",
+            "period-factor", "tripled", "tripled-phase",
             "pumping-term", "root-above", "missing-in-13a", "third-harmonic", "squared-share",
             "omega-beside-omega", "third-component",
         ),
@@ -218,9 +214,7 @@ _EQUATOR = {sin(s.theta): Integer(1), cos(s.theta): Integer(0)}
 
 _JUDGES: dict[str, Judge] = {
     "at-rest": _case("2:z", {cos(s.theta): Integer(1)}, lambda: Integer(0)),
-    "natural-frequency": lambda r: r.lhs == s.omega0 and is_zero(r.rhs**2 - _first(c.OMEGA_ZERO.latex)[2]),
-    "turning-share": _small_share,
-    "frequency-share": _small_share,
+    "natural-frequency": _is_natural,
     "near-the-bottom": _is_near,
     "straight": _assignment(_is_straight),
     "period-factor": _same(_period_factor),
@@ -238,8 +232,8 @@ _JUDGES: dict[str, Judge] = {
     "opposite-circle": _assignment(lambda case: is_zero((s.a + s.b).subs(case)) and s.a in case),
     "cone": _cone(1),
     "opposite-cone": _cone(-1),
-    "turning-per-swing": _leading(_found, 2),
-    "turning-per-minor-axis": _leading(_found, 2),
+    "turning-per-swing": _by_25,
+    "turning-per-minor-axis": _by_25,
     "third-harmonic": _same(third_harmonic),
     "squared-share": _same(_squared_share),
     "acceleration": _acceleration,
@@ -332,7 +326,7 @@ def _loose(what: str) -> int:
 FIGURES: dict[str, Callable[[], int]] = {
     "displays-of-6": lambda: len({one.display for one in FORMULAS if one.number == "6"}),
     "digits": lambda: TOLERANCE,
-    "order-of-shares": lambda: max(_share_order(statement(q).lhs) for q in ("turning-share", "frequency-share")),
+    "order-of-shares": lambda: max(_share_order(q / s.omega0) for q in (s.Omega, s.omega - s.omega0)),
     "error-25": lambda: _error("25"),
     "error-26": lambda: _error("26"),
     "false-formulas": lambda: _counted("formula"),

@@ -141,7 +141,7 @@ FORMULAS: tuple[Formula, ...] = (
         Step(
             Kind.NEGLECT,
             ("23.3",),
-            (c.NEAR, c.SLOW, c.SLOW_MINOR, c.OMEGA_SQUARED),
+            (c.NEAR, c.SLOW_MINOR, c.OMEGA_SQUARED),
             neglected=_SMALLER,
         ),
         Proof(follows(_leading), _HARMONICS_OF_LAW, against=_LAW),

@@ -22,8 +22,6 @@ FIGURE = re.compile(r"\[([^\[\]]+)\]\(([a-zA-Z0-9.-]+)\)")
 STATEMENTS: dict[str, str] = {
     "at-rest": r"z = l",
     "natural-frequency": r"\omega_0 = \sqrt{\frac{g}{l}}",
-    "turning-share": r"\frac{\Omega}{\omega_0}",
-    "frequency-share": r"\frac{\omega}{\omega_0} - 1",
     "near-the-bottom": r"z \approx l",
     "straight": r"b = 0",
     "period-factor": r"1 + \frac{a^2}{16l^2}",
@@ -43,8 +41,8 @@ STATEMENTS: dict[str, str] = {
     "opposite-circle": r"a = -b",
     "cone": r"\omega + \Omega \approx \sqrt{\frac{g}{l \cos \theta}}",
     "opposite-cone": r"\omega - \Omega \approx \sqrt{\frac{g}{l \cos \theta}}",
-    "turning-per-swing": r"\frac{\Omega}{\omega} \approx \frac{3}{8} \frac{ab}{l^2}",
-    "turning-per-minor-axis": r"\frac{a\Omega}{b\omega} \approx \frac{3}{8} \frac{a^2}{l^2}",
+    "turning-per-swing": r"\frac{\Omega}{\omega_0} = \frac{3}{8} \frac{ab}{l^2}",
+    "turning-per-minor-axis": r"\frac{a\Omega}{b\omega_0} = \frac{3}{8} \frac{a^2}{l^2}",
     "third-harmonic": (
         r"-\frac{3}{64} \frac{a^2 - b^2}{l^2} "
         r"(a \cos 3\omega t \cos \Omega t - b \sin 3\omega t \sin \Omega t)"

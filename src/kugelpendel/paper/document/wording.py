@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any, cast
 
-from kugelpendel.paper.derivation.statements import LANGUAGES as LANGUAGES
 from kugelpendel.paper.derivation.statements import resolved, sentences
 
 if TYPE_CHECKING:
