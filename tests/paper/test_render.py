@@ -9,6 +9,9 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
+from matplotlib import rc_context
+from matplotlib.font_manager import FontProperties
+from matplotlib.mathtext import MathTextParser
 
 from kugelpendel import paper
 from kugelpendel.paper.typeset import latex, mathml, unicode
@@ -183,6 +186,56 @@ def test_latex_is_sound(language: str, tmp_path: Path) -> None:
         command = [program, "-interaction=nonstopmode", "-halt-on-error", "derivation.tex"]
         done = subprocess.run(command, cwd=tmp_path, capture_output=True, timeout=100, check=False)
         assert done.returncode == 0, done.stdout.decode("latin-1")[-2000:]
+
+
+PAGE, MARGIN = 455.2, 27.4  # pt: a line of A4 less 2.5 cm on either side, and that of a quotation
+
+
+@cache
+def set_width(source: str) -> float:
+    """Width in pt as TeX sets it in Computer Modern at 11 pt, a little over where it is not known.
+
+    matplotlib knows TeX's fonts and spaces, but neither boxes nor columns.
+    """
+    for column in re.findall(r"\\begin\{pmatrix\}(.*?)\\end\{pmatrix\}", source):
+        widest = max(column.split(r"\\"), key=set_width)
+        source = source.replace(
+            rf"\begin{{pmatrix}}{column}\end{{pmatrix}}", rf"\quad ({widest}) \quad", 1
+        )
+    boxes = source.count(r"\boxed")
+    plain = source.replace(r"\boxed", "").replace(r"\frac", r"\dfrac")
+    plain = re.sub(r"\\(left|right|(big|Bigg)[lr])(?![a-z])", " ", plain)
+    with rc_context({"mathtext.fontset": "cm"}):
+        box = MathTextParser("path").parse(f"${plain}$", 72, FontProperties(size=10.95))
+    brackets = source.count(r"\left") + source.count(r"\Bigg")  # wider, or with space around them
+    return float(box[0]) + 6.8 * boxes + 4 * brackets
+
+
+def unbreakable(formula: str) -> list[str]:
+    """What TeX cannot break within a sentence: it ends a line after a sign outside of braces."""
+    parts, depth = [""], 0
+    for token in re.findall(r"\\[A-Za-z]+|\\.|.", formula):
+        depth += (token == "{") - (token == "}")
+        parts[-1] += token
+        if depth == 0 and token in ("+", "-", "=", r"\cdot", r"\approx", r"\ll", r"\times"):
+            parts.append("")
+    return [part.strip() for part in parts if part.strip()]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_no_line_of_latex_is_wider_than_the_page(language: str) -> None:
+    text = document(language, "latex")
+    shown = re.findall(r"\\begin\{equation\*\}\n(.*?)\n\\end\{equation\*\}", text, re.DOTALL)
+    assert len(shown) > len(paper.FORMULAS)
+    boxed = re.findall(r"\\begin\{misprint\}(.*?)\\end\{misprint\}", text, re.DOTALL)
+    for formula in shown:
+        room = PAGE - 2 * MARGIN if any(formula in one for one in boxed) else PAGE
+        bare = re.sub(r"\\tag\{[^}]*\}|\\(begin|end)\{aligned\}|&|\{\}", "", formula)
+        for line in bare.split("\\\\\n"):
+            assert set_width(line.strip()) < room, line
+    for formula in set(re.findall(r"(?<!\\)\$(\\?[A-Za-z(|=+\-][^$]*)\$", text)):
+        for part in [formula] if "pmatrix" in formula else unbreakable(formula):
+            assert set_width(part) < PAGE / 2, part
 
 
 def test_markdown_opens_and_closes() -> None:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def composed(language: str, target: str = "") -> Document:
-    """The whole derivation, or what leads to one formula or display, in a language."""
+    """Put together the derivation, or what leads to one formula or display, in a language."""
     labels = [formula.label for formula in FORMULAS]
     if target:
         labels = [*rests_on(target), *(formula.label for formula in parts(target))]

@@ -95,7 +95,7 @@ def list_misprints(language: str | None, is_json: bool) -> None:
 
 
 def known_language(language: str | None, environment: Mapping[str, str] = os.environ) -> str:
-    """The language to write in: the one given, or that of the locale, or English."""
+    """Choose the language to write in: the one given, or that of the locale, or English."""
     if language is None:
         variables = ("LC_ALL", "LC_MESSAGES", "LANG")
         locale = next((environment[name] for name in variables if environment.get(name)), "")
@@ -127,7 +127,7 @@ def _known_format(document_format: str | None, out: Path | None) -> str:
 
 
 def known_label(equation: str) -> str:
-    """The label that a user means; brackets around it may stay."""
+    """Find the label that a user means; brackets around it may stay."""
     label = equation.strip().removeprefix("(").removesuffix(")")
     labels = [formula.label for formula in paper.FORMULAS]
     displays = list(dict.fromkeys(formula.display for formula in paper.FORMULAS))
@@ -138,7 +138,7 @@ def known_label(equation: str) -> str:
 
 
 def nearest(label: str, displays: list[str]) -> list[str]:
-    """The displays that may have been meant, in the paper's order."""
+    """Find the displays that may have been meant, in the paper's order."""
     stem = label.partition(":")[0]
     wanted = _number(label)
     near = sorted(
@@ -154,7 +154,7 @@ def nearest(label: str, displays: list[str]) -> list[str]:
 
 
 def _number(label: str) -> int:
-    """The number that a label begins with; 1 when it has none."""
+    """Read the number that a label begins with; 1 where it has none."""
     digits = "".join(sign if sign.isascii() and sign.isdigit() else " " for sign in label).split()
     return int(digits[0]) if digits else 1
 

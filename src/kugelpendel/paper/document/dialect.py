@@ -34,12 +34,12 @@ def tokens(markdown: str) -> list[Token]:
 
 
 def is_math(token: Token) -> bool:
-    """Whether a token is a formula on lines of its own."""
+    """Tell whether a token is a formula on lines of its own."""
     return token.type == "fence" and token.info == "math"
 
 
 def has_class(token: Token, name: str) -> bool:
-    """Whether a token is an element of that class."""
+    """Tell whether a token is an element of that class."""
     return name in str(token.attrGet("class") or "").split()
 
 

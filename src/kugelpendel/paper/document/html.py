@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from kugelpendel.paper.document.outline import Display, Document
 
-_PUNCTUATION = re.compile(r"[,.;:)]")
+_PUNCTUATION = re.compile(r"[,.;:)]+")
 """What must not begin a line after a formula."""
 
 
@@ -63,6 +63,7 @@ def rendered(markdown: str) -> str:
     markdown_it = parser(_Page)
     read = markdown_it.parse(markdown)
     _name_cells(read)
+    _glue(read)
     return markdown_it.renderer.render(read, markdown_it.options, {})
 
 
@@ -73,9 +74,12 @@ class _Page(RendererHTML):
         self, tokens: Sequence[Token], idx: int, options: OptionsDict, env: EnvType
     ) -> str:
         """Write a formula within a sentence, with the sign after it on the same line."""
-        after = tokens[idx + 1].content if idx + 1 < len(tokens) else ""
-        glue = "&#8288;" if _PUNCTUATION.match(after) else ""
-        return mathml.inline(tokens[idx].content) + glue
+        formula, sign = mathml.inline(tokens[idx].content), tokens[idx].meta.get("sign", "")
+        if not sign:
+            return formula
+        # a word joiner is not enough: Chromium breaks the line beside a formula all the same
+        before, wbr, last = formula.rpartition("<wbr>")
+        return f'{before}{wbr}<span class="glued">{last}{sign}</span>'
 
     def fence(self, tokens: Sequence[Token], idx: int, options: OptionsDict, env: EnvType) -> str:
         """Write a formula on lines of its own, in which a narrow page may scroll."""
@@ -103,6 +107,16 @@ def _name_cells(read: Sequence[Token]) -> None:
         elif before.type == "td_open":
             before.attrSet("data-head", names[column])
             column += 1
+
+
+def _glue(read: Iterable[Token]) -> None:
+    """Give each formula within a sentence the sign after it, which must not begin a line."""
+    for token in read:
+        for formula, text in pairwise(token.children or []):
+            match = _PUNCTUATION.match(text.content)
+            if formula.type == "math_inline" and text.type == "text" and match:
+                formula.meta["sign"] = match[0]
+                text.content = text.content[match.end() :]
 
 
 def _head(document: Document, writer: Writer) -> str:

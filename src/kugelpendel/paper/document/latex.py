@@ -41,11 +41,12 @@ _PREAMBLE = """\
 \\usepackage[hidelinks]{hyperref}
 \\setlength{\\parindent}{0pt}
 \\setlength{\\parskip}{0.5em plus 0.2em}
-\\setlength{\\emergencystretch}{3em}
+%% A line before a formula that cannot be broken may be loose, rather than too wide.
+\\sloppy
 \\allowdisplaybreaks
 \\newenvironment{misprint}{\\begin{quote}\\small}{\\end{quote}}
 \\newenvironment{steps}{\\begin{quote}\\footnotesize}{\\end{quote}}
-\\newcommand{\\heading}[1]{\\section*{#1}\\addcontentsline{toc}{section}{#1}}
+\\newcommand{\\heading}[2]{\\section*{\\hypertarget{#1}{}#2}\\addcontentsline{toc}{section}{#2}}
 \\title{%s}
 \\author{}
 \\date{}
@@ -71,7 +72,7 @@ def write(document: Document) -> str:
     writer = Writer(document)
     contents = "" if document.target else "\\tableofcontents\n\n"
     parts = "".join(
-        f"{_target(part.key)}\\heading{{{escape(part.title)}}}\n\n{_Latex().rendered(part.text)}"
+        f"\\heading{{{part.key}}}{{{escape(part.title)}}}\n\n{_Latex().rendered(part.text)}"
         for part in writer.parts()
     )
     title = _PREAMBLE % (_BABEL[document.words.language], escape(document.title()))
@@ -152,7 +153,7 @@ class _Latex:
     def _formula(self, token: Token) -> str:
         if "printed" in token.meta:
             # narrower, since it is set within a quotation
-            return _equation(latex.written(token.meta["printed"], _ROOM - 8))
+            return _equation(latex.written(token.meta["printed"], _ROOM - 10))
         tag, self._tag = f" \\tag{{{self._tag}}}" if self._tag else "", ""
         return _equation(latex.display(token.content, _ROOM) + tag)
 

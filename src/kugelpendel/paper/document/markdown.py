@@ -32,7 +32,7 @@ _MANY = 4
 _SILENT = "[†](#silent)"
 """Stands at a condition that the paper does not say; the legend below the title tells so."""
 
-_SPECIAL = re.compile(r"([\\`*_\[\]<|~])")
+_SPECIAL = re.compile(r"([\\`*_\[\]<&|~])")
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,7 @@ class Writer:
         under = document.lead() if document.target else self._words.subtitle()
         lines = [_plain(under), _plain(ui("counts", *counts(document)))]
         if any(condition.silent for condition, _ in document.conditions):
-            lines.append(f'<div id="silent">\n\n{self._say(ui("silent_legend"))}\n\n</div>')
+            lines.append(f'<div id="silent">\n\n{self.say(ui("silent_legend"))}\n\n</div>')
         return "\n\n".join(lines)
 
     def parts(self) -> list[Part]:
@@ -86,17 +86,17 @@ class Writer:
         is_whole = not document.target
         found: list[Part] = []
         if is_whole:
-            agreed = "\n".join(f"- {self._say(one)}" for one in words.paragraphs("conventions"))
+            agreed = "\n".join(f"- {self.say(one)}" for one in words.paragraphs("conventions"))
             found.append(self._told("introduction"))
             found.append(Part("conventions", ui("conventions"), agreed))
         found.extend(self._chapter(chapter) for chapter in document.chapters)
         if is_whole:
             found.append(self._told("closing"))
         if document.misprints:
-            text = f"{self._say(ui('misprints_lead'))}\n\n{self.misprints()}"
+            text = f"{self.say(ui('misprints_lead'))}\n\n{self.misprints()}"
             found.append(Part("misprints", ui("misprints"), text))
         if document.conditions:
-            text = f"{self._say(ui('conditions_lead'))}\n\n{self._conditions()}"
+            text = f"{self.say(ui('conditions_lead'))}\n\n{self._conditions()}"
             found.append(Part("conditions", ui("conditions"), text))
         return found
 
@@ -115,7 +115,7 @@ class Writer:
         body = [
             [
                 f"{self._links([one.where])}{BREAK}{ui(f'misprint_{one.kind}')}",
-                f"~~{self._say(words.printed(one))}~~{BREAK}**{self._say(words.right(one))}**",
+                f"~~{self.say(words.printed(one))}~~{BREAK}**{self.say(words.right(one))}**",
                 self._reasons(one),
                 self._links(one.travels) if one.travels else "–",
             ]
@@ -129,18 +129,18 @@ class Writer:
         body: list[list[str]] = []
         for one, where in self._document.conditions:
             formula = f"{_math(one.latex)}: " if one.latex else ""
-            text = f"{formula}{self._say(words.condition(one.key))}"
+            text = f"{formula}{self.say(words.condition(one.key))}"
             text += f" {_SILENT}" if one.silent else ""
-            fails = self._say(words.consequence(one.consequence)) if one.consequence else "–"
+            fails = self.say(words.consequence(one.consequence)) if one.consequence else "–"
             body.append([text, self._links(where), fails])
         return _table(head, body)
 
     def _told(self, name: str) -> Part:
-        paragraphs = (self._say(one) for one in self._words.paragraphs(name))
+        paragraphs = (self.say(one) for one in self._words.paragraphs(name))
         return Part(name, self._ui(name), "\n\n".join(paragraphs))
 
     def _chapter(self, chapter: Chapter) -> Part:
-        lead = [] if self._document.target else [f"*{self._say(chapter.lead)}*"]
+        lead = [] if self._document.target else [f"*{self.say(chapter.lead)}*"]
         displays = (self._display(display) for display in chapter.displays)
         title = f"{chapter.number} {_plain(chapter.title)}"
         return Part(f"section-{chapter.number}", title, "\n\n".join([*lead, *displays]))
@@ -152,7 +152,7 @@ class Writer:
         if len(lines) >= _MANY and any(line.formula.head for line in display.lines):
             lines = [lines[0], self._fold(display.lines[1:-1], lines[1:-1]), lines[-1]]
         style = "numbered" if display.is_numbered else "between"
-        say = f"{tag} {self._say(display.say)}".rstrip()
+        say = f"{tag} {self.say(display.say)}".rstrip()
         body = "\n\n".join([say, *lines, self._steps(display)])
         return f'<div class="display {style}" id="{anchor(display.label)}">\n\n{body}\n\n</div>'
 
@@ -166,7 +166,7 @@ class Writer:
     def _line(self, line: Line) -> str:
         formula = line.formula
         identity = f' id="{anchor(formula.label)}"' if formula.label != formula.display else ""
-        parts = [self._say(line.say)] if line.say else []
+        parts = [self.say(line.say)] if line.say else []
         parts.append(self._block(formula.right))
         if line.misprints or formula.is_misprinted:
             parts.append(self._wrong(line))
@@ -190,7 +190,7 @@ class Writer:
         ui, words = self._ui, self._words
         parts: list[str] = []
         if one.in_words or one.kind == "word":  # the formula alone does not show what is wrong
-            printed, right = self._say(words.printed(one)), self._say(words.right(one))
+            printed, right = self.say(words.printed(one)), self.say(words.right(one))
             parts.append(f"{ui('printed')}: ~~{printed}~~\\\n{ui('right')}: **{right}**")
         parts.extend([self._reasons(one), self._fate(one)])
         body = "\n\n".join(parts)
@@ -199,7 +199,7 @@ class Writer:
     def _reasons(self, one: Misprint) -> str:
         """Write what is wrong, how one knows, and the smallest numbers that show it."""
         ui = self._ui
-        text = f"{self._say(self._words.misprint(one.key))} {ui('known_' + one.known)}"
+        text = f"{self.say(self._words.misprint(one.key))} {ui('known_' + one.known)}"
         evidence = self._document.derivation.evidence(one.key)
         if evidence is None:
             return text
@@ -244,13 +244,13 @@ class Writer:
         formula = f" {_math(one.latex)}" if one.latex else ""
         sign = f" {_SILENT}" if one.silent else ""
         text = f"- [{self._ui('condition')}](#conditions){formula}{sign}: "
-        text += self._say(words.condition(one.key))
+        text += self.say(words.condition(one.key))
         if self._document.explains(one, display):
-            told = self._say(words.consequence(one.consequence))
+            told = self.say(words.consequence(one.consequence))
             text += f"\\\n  {words.fate(one.consequence)}: {told}"
         return text
 
-    def _say(self, sentence: str) -> str:
+    def say(self, sentence: str) -> str:
         """Write a sentence of the wording."""
         written: list[str] = []
         for span in spans(sentence):

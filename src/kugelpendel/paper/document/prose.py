@@ -18,7 +18,7 @@ class Span:
 
     Attributes
     ----------
-    kind : str
+    kind
         "text", "math" (LaTeX), "link" (a label), "stress" or "code".
     """
 
@@ -42,7 +42,7 @@ def spans(sentence: str) -> tuple[Span, ...]:
 
 
 def sentence(source: str) -> str:
-    """A sentence of the wording as plain text, with references in brackets."""
+    """Write a sentence of the wording as plain text, with references in brackets."""
     written_spans: list[str] = []
     for span in spans(source):
         match span.kind:

@@ -32,12 +32,12 @@ _DELIMITERS = {"{": "\\{", "}": "\\}", "|": "|", "": "."}
 
 
 def display(source: str, room: float) -> str:
-    """A displayed formula, as ``aligned`` lines where it is wider than `room` signs."""
+    """Write a displayed formula, as ``aligned`` lines where it is wider than `room` signs."""
     return written(read(source), room)
 
 
 def written(row: MathList, room: float) -> str:
-    """The same of a formula that has been read, and perhaps marked, already."""
+    """Write a formula that has been read, and perhaps marked, in the same way."""
     broken = lines(row.items, room)
     if len(broken) == 1:
         return _row(broken[0])

@@ -36,7 +36,7 @@ def plain(source: str) -> str:
 
 
 def broken(source: str, room: float) -> list[str]:
-    """The same on several lines where it is wider than about `room` signs."""
+    """Write a formula on several lines where it is wider than about `room` signs."""
     first, *others = lines(read(source).items, 0.75 * room)
     return [written(first), *(_continued(written(line)) for line in others)]
 
@@ -47,7 +47,7 @@ def _continued(line: str) -> str:
 
 
 def written(items: Piece) -> str:
-    """Text of things that have been read already."""
+    """Write things that have been read already."""
     return normalize("NFC", " ".join(_row(MathList(items)).split()))
 
 
