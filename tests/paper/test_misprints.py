@@ -55,8 +55,8 @@ def test_missing_numbers() -> None:
     numbers = {one.number.rstrip("abc") for one in paper.FORMULAS}
     missing = [k for k in range(1, 27) if str(k) not in numbers]
     assert missing == [7, 11, 14, 15, 21, 22, 24]
-    said = " ".join(one.right for one in paper.MISPRINTS if "Nummer" in one.right)
-    assert all(f"({k})" in said for k in missing)
+    # the numbers are those of Olsson's article, so that the gaps are no misprints
+    assert not [one for one in paper.MISPRINTS if "Nummer" in one.right]
     assert [f.display for f in paper.FORMULAS if f.number == "6" and ":1" in f.label] == [
         "6",
         "6b",
@@ -73,7 +73,7 @@ def test_keys_and_links_are_sound() -> None:
     for one in paper.MISPRINTS:
         assert set(one.travels) <= set(labels)
         if one.origin:
-            assert one.where in keys[one.origin].travels or one.kind == "sign", one.key
+            assert one.where in keys[one.origin].travels, one.key
     with pytest.raises(KeyError):
         paper.counterexample("nonsense")
 

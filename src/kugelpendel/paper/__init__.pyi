@@ -8,8 +8,8 @@ from .checks.remainders import third_harmonic as third_harmonic
 from .checks.run import check as check
 from .checks.run import examined as examined
 from .checks.run import subjects as subjects
-from .checks.statements import FIGURES as FIGURES
-from .checks.statements import figure as figure
+from .checks.wording.figures import FIGURES as FIGURES
+from .checks.wording.figures import figure as figure
 from .derivation.graph import FORMULAS as FORMULAS
 from .derivation.graph import UnknownLabel as UnknownLabel
 from .derivation.graph import edges as edges

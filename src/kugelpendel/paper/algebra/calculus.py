@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Generator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cache, lru_cache
@@ -64,7 +64,7 @@ _differentiated: ContextVar[list[bool] | None] = ContextVar("_differentiated", d
 
 
 @contextmanager
-def supposing(rates: Mapping[Expr, Expr]) -> Iterator[list[bool]]:
+def supposing(rates: Mapping[Expr, Expr]) -> Generator[list[bool]]:
     """Let constants move, to see which steps need that they do not.
 
     What is yielded is no longer empty as soon as anything has been differentiated.

@@ -141,6 +141,7 @@ def _inside(node: Node) -> Iterator[Node]:
 
 
 def operator(item: Node) -> str:
+    """Give the sign of an operator, "" for anything else."""
     return item.text if isinstance(item, Atom) and item.kind == "operator" else ""
 
 
@@ -150,6 +151,7 @@ def without_spaces(items: tuple[Node, ...]) -> tuple[Node, ...]:
 
 
 def single(latex: str) -> Node:
+    """Read LaTeX that is one thing, such as a letter with its marks."""
     (node,) = tex.read(latex).items
     return node
 
@@ -170,6 +172,7 @@ class Reading:
         self._quantities = {**_QUANTITIES, **(more or {})}
 
     def refused(self, why: str) -> NotationError:
+        """Give the error that says why the formula means nothing."""
         return NotationError(f"{self._latex!r} {why}.")
 
     def expression(self, items: tuple[Node, ...]) -> Expr:

@@ -26,7 +26,7 @@ class Requirement:
 
 @cache
 def required(latex: str) -> tuple[Requirement, ...]:
-    """Give the relations of a condition such as "x, y \\ll l", one for each thing on the left.
+    r"""Give the relations of a condition such as "x, y \ll l", one for each thing on the left.
 
     Raises
     ------

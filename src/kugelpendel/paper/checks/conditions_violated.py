@@ -158,7 +158,7 @@ def near() -> bool:
 
 
 def third_harmonics() -> bool:
-    """Kept, they would add the third harmonic that the text says; the two cubic terms have opposite ones."""
+    """Kept, they would add to x what the text says; the two cubic terms have opposite ones."""
     claimed = read(STATEMENTS["third-harmonic"]).lhs
     opposite = dropped_harmonics("20.10:2") + s.omega**2 * dropped_harmonics("20.8:1")
     return is_zero(third_harmonic() - claimed) and is_zero(opposite)

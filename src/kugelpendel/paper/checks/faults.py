@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from kugelpendel.paper.algebra.notation import NotationError, read
-from kugelpendel.paper.checks import requirements
-from kugelpendel.paper.checks.operations import is_done
 from kugelpendel.paper.checks.printed_text import is_as_printed
 from kugelpendel.paper.checks.remainders import as_said
 from kugelpendel.paper.checks.signs import sign
+from kugelpendel.paper.checks.steps import requirements
+from kugelpendel.paper.checks.steps.operations import is_done
 from kugelpendel.paper.derivation.graph import FORMULAS, parts, premises, right
 from kugelpendel.paper.derivation.misprints import MISPRINTS
 from kugelpendel.paper.derivation.model import Formula
@@ -77,7 +77,9 @@ def of_print(one: Formula) -> tuple[str, ...]:
         found.append("differs from print and no misprint says so, or the other way round")
     for misprint in listed:
         pieces = ((misprint.printed, one.printed), (misprint.right, one.right))
-        if not all(_bare(piece.partition(r" + \dots")[0]) in _bare(whole) for piece, whole in pieces):
+        if not all(
+            _bare(piece.partition(r" + \dots")[0]) in _bare(whole) for piece, whole in pieces
+        ):
             found.append(f"does not hold what the misprint {misprint.key} says")
     return tuple(found)
 

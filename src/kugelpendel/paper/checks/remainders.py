@@ -181,7 +181,9 @@ def as_said(one: Formula) -> bool:
     if one.section == 2:
         claimed = graded(said.lhs.xreplace(_RHO), found.orders)
     rest, order = graded(found.dropped.xreplace(_RHO), found.orders), leading(claimed)[0]
-    return leading(rest - claimed)[0] > order and is_zero(claimed - EPS**order * claimed.subs(EPS, 1))
+    return leading(rest - claimed)[0] > order and is_zero(
+        claimed - EPS**order * claimed.subs(EPS, 1)
+    )
 
 
 def dropped_harmonics(label: str) -> Expr:

@@ -13,8 +13,7 @@ from time import perf_counter
 from typing import Literal
 
 from kugelpendel.paper.algebra.calculus import is_constant_multiple, is_zero
-from kugelpendel.paper.algebra.notation import Relation
-from kugelpendel.paper.checks import sentences, statements
+from kugelpendel.paper.algebra.notation import NotationError, Relation
 from kugelpendel.paper.checks.faults import faults
 from kugelpendel.paper.checks.mutants import Mutant, mutants
 from kugelpendel.paper.checks.sabotage import (
@@ -26,6 +25,7 @@ from kugelpendel.paper.checks.sabotage import (
     spoilt_statements,
 )
 from kugelpendel.paper.checks.signs import sign
+from kugelpendel.paper.checks.wording import sentences, statements
 from kugelpendel.paper.derivation.graph import FORMULAS, formula, premises, right
 from kugelpendel.paper.derivation.model import Formula, Kind, Row
 from kugelpendel.paper.derivation.statements import LANGUAGES, STATEMENTS
@@ -99,16 +99,27 @@ def _note(row: Row, rows: list[Row], total: int, progress: Progress | None) -> R
 
 def examined(label: str, thorough: bool = True) -> Row:
     """Examine one subject: its proofs, what is said of it, and the fate of what is spoilt."""
-    if label in STATEMENTS:
-        return _statement(label)
-    if label in LANGUAGES:
-        return _sentences(label, thorough)
     start = perf_counter()
-    one, relation = formula(label), right(label)
+    try:
+        if label in STATEMENTS:
+            return _statement(label)
+        if label in LANGUAGES:
+            return _sentences(label, thorough)
+        return _formula(formula(label), thorough)
+    except NotationError as error:
+        step = Kind.STATE if label in STATEMENTS or label in LANGUAGES else formula(label).step.kind
+        seconds = perf_counter() - start
+        return Row(label, step, False, False, 0, 0, (), seconds, (f"cannot be read: {error}",))
+
+
+def _formula(one: Formula, thorough: bool) -> Row:
+    """A formula of the paper."""
+    start = perf_counter()
+    relation = right(one.label)
     fates = [(mutant, verdict(one, mutant)) for mutant in mutants(one, relation)]
     counted, unnoticed = _sabotaged(one) if thorough else ((), ())
     return Row(
-        label=label,
+        label=one.label,
         step=one.step.kind,
         symbolic=one.proof(relation, premises(one)),
         numeric=one.proof.true_in_numbers(relation),

@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 from kugelpendel.paper.algebra.notation import NotationError, Relation, read
 from kugelpendel.paper.checks.faults import ALL
 from kugelpendel.paper.checks.mutants import spoilt
-from kugelpendel.paper.checks.sentences import stands
-from kugelpendel.paper.checks.statements import figure, says
+from kugelpendel.paper.checks.wording.figures import figure, says
+from kugelpendel.paper.checks.wording.sentences import stands
 from kugelpendel.paper.derivation import conditions
 from kugelpendel.paper.derivation.graph import FORMULAS, right
 from kugelpendel.paper.derivation.model import Condition, Formula, Kind

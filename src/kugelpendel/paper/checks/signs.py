@@ -16,8 +16,8 @@ from kugelpendel.paper.algebra.symbols import VECTORS
 from kugelpendel.paper.algebra.sympy_names import Expr, Pow, mp, mpf
 from kugelpendel.paper.derivation.graph import FORMULAS, right
 from kugelpendel.paper.derivation.model import Formula
-from kugelpendel.paper.proofs.numeric import EXPONENT, POINTS, much_less
-from kugelpendel.paper.proofs.worlds import DIGITS, World, balanced, dynamic, ellipse
+from kugelpendel.paper.proofs.numeric import POINTS, much_less
+from kugelpendel.paper.proofs.worlds import DIGITS, balanced, dynamic, ellipse
 
 _SAME = 50  # digits
 

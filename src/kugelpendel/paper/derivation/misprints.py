@@ -289,7 +289,15 @@ MISPRINTS: tuple[Misprint, ...] = (
         origin="bars-missing-turning",
         in_words=True,
     ),
-    Misprint("speed-equal", "20.6", "=", r"\approx", "loose", "identity"),
+    Misprint(
+        "speed-equal",
+        "20.6",
+        "=",
+        r"\approx",
+        "loose",
+        "identity",
+        travels=("20.9:1", "20.10:1"),
+    ),
     Misprint("place-average-equal", "20.8:1", "=", r"\approx", "loose", "identity"),
     Misprint("product-equal", "20.9:1", "=", r"\approx", "loose", "identity", origin="speed-equal"),
     Misprint(

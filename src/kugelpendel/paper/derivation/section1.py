@@ -131,7 +131,10 @@ _AGAIN = Step(Kind.DIFFERENTIATE, ("3.1",), (c.INEXTENSIBLE,))
 _SPHERE = Step(Kind.DEFINE, (), (c.SPHERE,))
 _HEIGHT = Step(Kind.DEFINE, (), (c.SPHERE, c.DOWNWARD))
 _TRIAD = Step(
-    Kind.PROJECT, ("2",), (c.OFF_AXIS,), detail=r"1, \quad \frac{1}{l}, \quad \frac{1}{l \sin \theta}"
+    Kind.PROJECT,
+    ("2",),
+    (c.OFF_AXIS,),
+    detail=r"1, \quad \frac{1}{l}, \quad \frac{1}{l \sin \theta}",
 )
 _FIRST = Proof(identity(_rates("2")), _ANY)
 _SECOND = Proof(identity(_rates("3.1")), _ANY)

@@ -224,7 +224,12 @@ FORMULAS: tuple[Formula, ...] = (
         "12.3:1",
         r"\omega_0^2 x \sqrt{1 - \frac{\rho^2}{l^2}} "
         r"\approx \omega_0^2 x \left(1 - \frac{1}{2} \frac{\rho^2}{l^2}\right)",
-        Step(Kind.NEGLECT, ("12.2",), (c.SMALL,), neglected=r"-\frac{1}{8} \omega_0^2 \frac{x\rho^4}{l^4}"),
+        Step(
+            Kind.NEGLECT,
+            ("12.2",),
+            (c.SMALL,),
+            neglected=r"-\frac{1}{8} \omega_0^2 \frac{x\rho^4}{l^4}",
+        ),
         Proof(follows(_root_expanded), to_order(4, dynamic), if_equal=Proof(given(), _MOVING)),
         printed=r"\omega_0^2 x \sqrt{1 - \frac{\rho^2}{l^2}} "
         r"= \omega_0^2 x \left(1 - \frac{1}{2} \frac{\rho^2}{l^2}\right)",

@@ -59,7 +59,9 @@ def turning_frame(seed: int) -> World:
     constants[s.T] = _pulled(constants, place, speed)
     x, y, z = _accelerated(constants, place, (mpf(0), mpf(0), mpf(-1)))
     turn = draw(rng, 0.1, 0.5)
-    return moment(constants, place, speed, (x + 2 * turn * speed[1], y - 2 * turn * speed[0], z), rng)
+    return moment(
+        constants, place, speed, (x + 2 * turn * speed[1], y - 2 * turn * speed[0], z), rng
+    )
 
 
 @cache

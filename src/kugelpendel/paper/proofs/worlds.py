@@ -109,6 +109,7 @@ class World:
 
 
 def draw(rng: Random, low: float, high: float) -> Number:
+    """Draw a number between two bounds, with 160 random bits."""
     return mpf(low) + (mpf(high) - mpf(low)) * mpf(rng.getrandbits(160)) / (1 << 160)
 
 
@@ -120,6 +121,7 @@ def turned(theta: Number, phi: Number, vector: Vector) -> Vector:
 
 
 def dot(u: Vector, v: Vector) -> Number:
+    """Give the scalar product."""
     return mp.fsum(p * q for p, q in zip(u, v, strict=True))
 
 

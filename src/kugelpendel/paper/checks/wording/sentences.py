@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import Any, cast
 
-from kugelpendel.paper.checks.statements import FIGURES, figure, says
+from kugelpendel.paper.checks.wording.figures import FIGURES, figure, says
 from kugelpendel.paper.derivation.graph import FORMULAS, parts
 from kugelpendel.paper.derivation.misprints import MISPRINTS
 from kugelpendel.paper.derivation.model import Formula
@@ -119,7 +119,7 @@ def _needing(table: str, key: str) -> list[str]:
     for one in FORMULAS:
         for condition in one.step.conditions:
             if key == (condition.key if table == "condition" else condition.consequence):
-                found.extend(_of(one.label))
+                found.extend([one.label, *one.step.premises])
     return found
 
 
