@@ -15,6 +15,7 @@ from matplotlib.mathtext import MathTextParser
 
 from kugelpendel import paper
 from kugelpendel.paper.typeset import latex, mathml, unicode
+from kugelpendel.paper.typeset.breaks import lines, pieces, width
 from kugelpendel.paper.typeset.difference import difference
 from kugelpendel.paper.typeset.tex import Marked, MathList, UnknownTeX, read
 
@@ -149,7 +150,9 @@ def test_formulas_are_written_as_they_were_read() -> None:
 
 
 def test_what_is_not_known_is_refused() -> None:
-    for text in (r"\frac{a}{b", r"a}", r"\unknown{a}", r"(a", r"\begin{cases}a\end{cases}"):
+    unknown = (r"\frac{a}{b", r"a}", r"\unknown{a}", r"(a", r"\begin{cases}a\end{cases}")
+    ambiguous = ("a^12", r"\frac12", r"\sqrt12", "a^2^3", "a_1_2")
+    for text in (*unknown, *ambiguous):
         with pytest.raises(UnknownTeX):
             read(text)
 
@@ -159,6 +162,19 @@ def test_plain_formulas() -> None:
     assert unicode.plain(r"\ddot{\theta} - \dot{\phi}^2 \sin \theta") == "θ̈ − φ̇² sin θ"
     assert unicode.plain(r"\frac{1}{8l^2} \frac{d}{dt} \dot{x}") == "1/(8l²) d/dt ẋ"
     assert unicode.plain(r"-\sqrt{1 - \frac{\rho^2}{l^2}}") == "−√(1 − ρ²/l²)"
+
+
+def test_an_exponent_stands_beside_a_dot_marked_or_not() -> None:
+    printed, _ = difference(r"\dot{\theta}^2", r"\dot{\phi}^2")
+    for formula in (mathml.written(printed), mathml.display(r"\dot{\theta}^2")):
+        assert formula.count("<mpadded") == formula.count("<msup>") == 1
+
+
+def test_a_bracket_within_a_bracket_is_opened_on_a_narrow_page() -> None:
+    row = read(r"\frac{a}{b} [\frac{1}{a} \{aaaaaaaaa + bbbbbbbbb\}]")
+    assert len(pieces(row.items)) == 2
+    assert len(pieces(row.items, 99)) == 1
+    assert all(width(MathList(line)) < 16 for line in lines(row.items, 16))
 
 
 def test_differences_are_small() -> None:
@@ -180,6 +196,8 @@ def test_latex_is_sound(language: str, tmp_path: Path) -> None:
     assert opened == []
     plain = re.sub(r"\\[{}]", "", text)
     assert plain.count("{") == plain.count("}")
+    # T1 has these; a Greek letter or a raised number would stop LaTeX
+    assert {sign for sign in text if ord(sign) > 255} <= set("–—‘’‚“”„")
     (tmp_path / "derivation.tex").write_text(text, encoding="utf-8")
     program = shutil.which("pdflatex")
     if program is not None:  # a TeX installation is too large to ask for

@@ -29,6 +29,10 @@ _PUNCTUATION = re.compile(r"[,.;:)]+")
 """What must not begin a line after a formula."""
 
 
+_LAST = ("misprints", "conditions")
+"""The tables, before which the picture stands."""
+
+
 def write(document: Document) -> str:
     """Write the whole page."""
     writer = Writer(document)
@@ -52,10 +56,6 @@ def write(document: Document) -> str:
         f"{_head(document, writer)}\n{body}\n</main>\n"
         f"<script>\n{script}</script>\n</body>\n</html>\n"
     )
-
-
-_LAST = ("misprints", "conditions")
-"""The tables, before which the picture stands."""
 
 
 def rendered(markdown: str) -> str:

@@ -37,7 +37,7 @@ _SPECIAL = re.compile(r"([\\`*_\[\]<&|~])")
 
 @dataclass(frozen=True)
 class Part:
-    """A headed part of the document: its anchor, its title, and Markdown."""
+    """A headed part of the document: its anchor, its title in plain words, and its Markdown."""
 
     key: str
     title: str
@@ -48,7 +48,7 @@ def write(document: Document, room: float = _ROOM) -> str:
     """Write the whole text, with formulas broken into lines of about `room` signs."""
     writer = Writer(document, room)
     parts = [
-        f'<div id="{part.key}">\n\n## {part.title}\n\n{part.text}\n\n</div>'
+        f'<div id="{part.key}">\n\n## {_plain(part.title)}\n\n{part.text}\n\n</div>'
         for part in writer.parts()
     ]
     return "\n\n".join([f"# {_plain(document.title())}", writer.head(), *parts]) + "\n"
@@ -142,7 +142,7 @@ class Writer:
     def _chapter(self, chapter: Chapter) -> Part:
         lead = [] if self._document.target else [f"*{self.say(chapter.lead)}*"]
         displays = (self._display(display) for display in chapter.displays)
-        title = f"{chapter.number} {_plain(chapter.title)}"
+        title = f"{chapter.number} {chapter.title}"
         return Part(f"section-{chapter.number}", title, "\n\n".join([*lead, *displays]))
 
     def _display(self, display: Display) -> str:
