@@ -117,7 +117,8 @@ class Misprint:
         an orientation that is not said. A gap in the numbering is none of these.
     known
         How it is known: "identity" (the step's identity fails), "dimension" (the terms do not have
-        one dimension), "convention" (it hangs on what is agreed), "text".
+        one dimension), "size" (bars are missing: anything negative would be small), "convention"
+        (it hangs on what is agreed), "text".
     travels
         Labels of the formulas into which the error is carried, () where it is not carried on.
     origin
@@ -134,7 +135,7 @@ class Misprint:
     printed: str
     right: str
     kind: Literal["formula", "word", "loose"]
-    known: Literal["identity", "dimension", "convention", "text"]
+    known: Literal["identity", "dimension", "size", "convention", "text"]
     travels: tuple[str, ...] = ()
     origin: str = ""
     in_words: bool = False
