@@ -225,6 +225,9 @@ def test_help_imports_nothing_heavy(arguments: list[str]) -> None:
 
 def test_missing_extra_is_a_sentence(call: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "kugelpendel.cli.derive.command", None)
+    for name in ("sympy", "markdown_it"):
+        monkeypatch.setitem(sys.modules, name, None)
     outcome = call("3")
     assert outcome.code == 2
+    assert "markdown-it-py and sympy are not installed" in outcome.err
     assert "python -m pip install 'kugelpendel[paper]'" in outcome.err
