@@ -55,9 +55,15 @@ SIGNS = [
     Hand(S4, r'_SLOW_SPEED % r"\approx"', '_SLOW_SPEED % "="', "20.6", "has the sign ="),
 ]
 STEPS = [
-    Hand(S4B, 'Kind.DIVIDE, ("23.7:1",)', 'Kind.MULTIPLY, ("23.7:1",)', "23.8:1", "“multiply”"),
-    Hand(S4B, "Step(Kind.ADD, ", "Step(Kind.SUBTRACT, ", "23.7:1", "“subtract”"),
-    Hand(S2, 'Kind.REARRANGE, ("10.2",)', 'Kind.NEGLECT, ("10.2",)', "10.3", "“neglect”"),
+    Hand(
+        S4B,
+        'StepKind.DIVIDE, ("23.7:1",)',
+        'StepKind.MULTIPLY, ("23.7:1",)',
+        "23.8:1",
+        "“multiply”",
+    ),
+    Hand(S4B, "Step(StepKind.ADD, ", "Step(StepKind.SUBTRACT, ", "23.7:1", "“subtract”"),
+    Hand(S2, 'StepKind.REARRANGE, ("10.2",)', 'StepKind.NEGLECT, ("10.2",)', "10.3", "“neglect”"),
     Hand(S1, r"\vec{e}_\phi, \quad \frac{1}{ml}", r"\vec{e}_\phi, \quad \frac{1}{m}", "5c", "step"),
     Hand(S2E, r"\frac{x}{x^2 + y^2} = \frac{x}{\rho^2}", r"\frac{1}{\rho^2}", "12", "step"),
     Hand(S4B, r'detail=r"4\omega_0"', r'detail=r"2\omega_0"', "25", "step"),
@@ -83,13 +89,32 @@ DROPPED = [
     Hand(S2E, "(c.SMALL, c.SMALL_RATES, c.SAME", "(c.SMALL, c.NOT_EQUATOR, c.SAME", "13b",
          "does not need the condition off-equator"),
     Hand(S4B, "(c.NOT_OPPOSITE,)", "(c.NOT_OPPOSITE, c.NEAR)", "23.8:1", "does not need"),
-    Hand(S2, 'Step(Kind.REARRANGE, ("10.2",))', 'Step(Kind.REARRANGE, ("10.2",), (c.OFF_AXIS,))',
-         "10.3", "does not need the condition off-axis"),
+    Hand(S2, 'Step(StepKind.REARRANGE, ("10.2",))',
+         'Step(StepKind.REARRANGE, ("10.2",), (c.OFF_AXIS,))', "10.3",
+         "does not need the condition off-axis"),
 ]  # fmt: skip
 PREMISES = [
-    Hand(S4B, 'Kind.SOLVE, ("23.9",)', 'Kind.SOLVE, ("23.9", "26")', "25", "does not come before"),
-    Hand(S4B, 'Kind.SUBTRACT, ("23.8",)', 'Kind.SUBTRACT, ("23.8", "25")', "23.9", "before it"),
-    Hand(S2, 'Kind.REARRANGE, ("9:1",)', 'Kind.REARRANGE, ("9:1", "5b")', "9:2", "does not use"),
+    Hand(
+        S4B,
+        'StepKind.SOLVE, ("23.9",)',
+        'StepKind.SOLVE, ("23.9", "26")',
+        "25",
+        "does not come before",
+    ),
+    Hand(
+        S4B,
+        'StepKind.SUBTRACT, ("23.8",)',
+        'StepKind.SUBTRACT, ("23.8", "25")',
+        "23.9",
+        "before it",
+    ),
+    Hand(
+        S2,
+        'StepKind.REARRANGE, ("9:1",)',
+        'StepKind.REARRANGE, ("9:1", "5b")',
+        "9:2",
+        "does not use",
+    ),
 ]
 PRINTED = [
     Hand(S2, r'printed=r"\frac{1}{l^2} \frac{d}{dt}', r'printed=r"l^2 \frac{d}{dt}', "8:1",

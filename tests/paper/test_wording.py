@@ -40,8 +40,8 @@ def test_every_step_condition_and_misprint(words: paper.Words) -> None:
         for condition in formula.step.conditions:
             assert words.condition(condition.key)
             assert not condition.consequence or words.consequence(condition.consequence)
-    for kind in paper.Kind:
-        assert kind == paper.Kind.STATE or words.kind(kind)
+    for kind in paper.StepKind:
+        assert kind == paper.StepKind.STATE or words.kind(kind)
     for misprint in paper.MISPRINTS:
         assert words.misprint(misprint.key)
 

@@ -21,10 +21,10 @@ from .derivation.graph import right as right
 from .derivation.misprints import MISPRINTS as MISPRINTS
 from .derivation.model import Condition as Condition
 from .derivation.model import Formula as Formula
-from .derivation.model import Kind as Kind
 from .derivation.model import Misprint as Misprint
 from .derivation.model import Row as Row
 from .derivation.model import Step as Step
+from .derivation.model import StepKind as StepKind
 from .derivation.statements import LANGUAGES as LANGUAGES
 from .derivation.statements import STATEMENTS as STATEMENTS
 from .document.wording import Words as Words
@@ -42,11 +42,11 @@ __all__ = [
     "Condition",
     "Counterexample",
     "Formula",
-    "Kind",
     "Misprint",
     "Remainder",
     "Row",
     "Step",
+    "StepKind",
     "UnknownLabel",
     "Words",
     "check",

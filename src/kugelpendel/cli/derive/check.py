@@ -57,7 +57,7 @@ def table(rows: Sequence[paper.Row], words: paper.Words, width: int = 80) -> lis
     drawn = Table(box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False, header_style="")
     for head in heads:
         drawn.add_column(words.ui(f"check_{head}"))
-    formulas = [row for row in rows if row.step != paper.Kind.STATE]
+    formulas = [row for row in rows if row.step != paper.StepKind.STATE]
     for row in formulas:
         marks = (_mark(row.symbolic, words), _mark(row.numeric, words))
         drawn.add_row(f"({row.label})", words.kind(row.step), *marks, _mutants(row, words))
@@ -87,7 +87,7 @@ def _wording(rows: Sequence[paper.Row]) -> list[paper.Row]:
 
 
 def _said(rows: Sequence[paper.Row], words: paper.Words) -> list[str]:
-    formulas = [row for row in rows if row.step != paper.Kind.STATE]
+    formulas = [row for row in rows if row.step != paper.StepKind.STATE]
     lines = [words.ui("check_said", sum(not row.faults for row in formulas), len(formulas))]
     stated = _wording(rows)
     if stated:

@@ -23,7 +23,7 @@ from kugelpendel.paper.algebra.calculus import (
 from kugelpendel.paper.algebra.notation import read
 from kugelpendel.paper.algebra.sympy_names import Add, Dummy, Expr, diff, expand, factor, sqrt
 from kugelpendel.paper.derivation.graph import formula, right
-from kugelpendel.paper.derivation.model import Formula, Kind
+from kugelpendel.paper.derivation.model import Formula, StepKind
 from kugelpendel.paper.proofs.symbolic import put
 
 _SHIFTED = Dummy("w", real=True)
@@ -138,7 +138,7 @@ def remainders() -> tuple[Remainder, ...]:
     """
     found: list[Remainder] = []
     for label in _DROPPING:
-        if formula(label).step.kind != Kind.AVERAGE:
+        if formula(label).step.kind != StepKind.AVERAGE:
             one = dropped(label)
             order, term = leading(graded(one.dropped, one.orders))
             found.append(Remainder(label, highest(one.kept, one.orders), order, factor(term)))
@@ -175,7 +175,7 @@ def as_said(one: Formula) -> bool:
     said, found = read(one.step.neglected), dropped(one.label)
     if said.op:
         return False
-    if one.step.kind == Kind.AVERAGE:
+    if one.step.kind == StepKind.AVERAGE:
         return is_zero(said.lhs - found.dropped)
     claimed = graded(put(said.lhs, _moving("16")), found.orders)
     if one.section == 2:

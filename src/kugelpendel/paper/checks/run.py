@@ -27,7 +27,7 @@ from kugelpendel.paper.checks.sabotage import (
 from kugelpendel.paper.checks.signs import sign
 from kugelpendel.paper.checks.wording import sentences, statements
 from kugelpendel.paper.derivation.graph import FORMULAS, formula, premises, right
-from kugelpendel.paper.derivation.model import Formula, Kind, Row
+from kugelpendel.paper.derivation.model import Formula, Row, StepKind
 from kugelpendel.paper.derivation.statements import LANGUAGES, STATEMENTS
 
 Verdict = Literal["killed", "equal", "survivor"]
@@ -107,7 +107,11 @@ def examined(label: str, thorough: bool = True) -> Row:
             return _sentences(label, thorough)
         return _formula(formula(label), thorough)
     except NotationError as error:
-        step = Kind.STATE if label in STATEMENTS or label in LANGUAGES else formula(label).step.kind
+        step = (
+            StepKind.STATE
+            if label in STATEMENTS or label in LANGUAGES
+            else formula(label).step.kind
+        )
         seconds = perf_counter() - start
         return Row(label, step, False, False, 0, 0, (), seconds, (f"cannot be read: {error}",))
 
@@ -159,7 +163,7 @@ def _statement(name: str) -> Row:
     proved = statements.holds(name)
     return Row(
         label=name,
-        step=Kind.STATE,
+        step=StepKind.STATE,
         symbolic=proved,
         numeric=proved,
         killed=len(wrong) - len(passed),
@@ -182,7 +186,7 @@ def _sentences(language: str, thorough: bool) -> Row:
             unnoticed.append(f"{kind}: {place}: {wrong}")
     return Row(
         label=language,
-        step=Kind.STATE,
+        step=StepKind.STATE,
         symbolic=not found,
         numeric=not found,
         killed=0,

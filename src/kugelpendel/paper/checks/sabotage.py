@@ -17,7 +17,7 @@ from kugelpendel.paper.checks.wording.figures import figure, says
 from kugelpendel.paper.checks.wording.sentences import stands
 from kugelpendel.paper.derivation import conditions
 from kugelpendel.paper.derivation.graph import FORMULAS, right
-from kugelpendel.paper.derivation.model import Condition, Formula, Kind
+from kugelpendel.paper.derivation.model import Condition, Formula, StepKind
 from kugelpendel.paper.derivation.statements import FIGURE, STATEMENT
 
 SIGNS = {"=": "=", "≈": r"\approx", "≪": r"\ll"}
@@ -70,8 +70,8 @@ def _with_step(one: Formula, sort: str, change: str, **changes: object) -> Sabot
 
 
 def _kinds(one: Formula) -> Iterator[Sabotage]:
-    for kind in Kind:
-        if kind not in (one.step.kind, Kind.STATE):
+    for kind in StepKind:
+        if kind not in (one.step.kind, StepKind.STATE):
             yield _with_step(one, "kind", kind.value, kind=kind)
 
 

@@ -12,7 +12,7 @@ Agreed with the documents
   whose number is used twice keeps its own name here: the three displays numbered (6) are "6", "6b"
   and "6c"; `Formula.number` is the number that stands in the paper, "" without one.
 * Wording is keyed: formulas by `label`, displays by `display`, conditions and misprints by `key`,
-  sections by their number (1 to 4), step kinds by `Kind.value`.
+  sections by their number (1 to 4), step kinds by `StepKind.value`.
 * Order is the paper's order, everywhere.
 * Nothing of a step is mere description: kind, detail, what is neglected and the conditions are
   checked by `checks.operations`, `checks.remainders` and `checks.requirements`.
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from kugelpendel.paper.proofs.symbolic import Proof
 
 
-class Kind(StrEnum):
+class StepKind(StrEnum):
     """The step that leads to a formula."""
 
     LAW = "law"  # put at the start: Newton's law, the thread's length
@@ -91,7 +91,7 @@ class Step:
         LaTeX of what is done it with, such as the factor multiplied by; "" if the kind says it.
     """
 
-    kind: Kind
+    kind: StepKind
     premises: tuple[str, ...] = ()
     conditions: tuple[Condition, ...] = ()
     neglected: str = ""
@@ -211,7 +211,7 @@ class Row:
     """
 
     label: str
-    step: Kind
+    step: StepKind
     symbolic: bool
     numeric: bool
     killed: int

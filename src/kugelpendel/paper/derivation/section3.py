@@ -7,7 +7,7 @@ from kugelpendel.paper.algebra.calculus import small, truncated
 from kugelpendel.paper.algebra.notation import Relation
 from kugelpendel.paper.algebra.sympy_names import Expr, diff
 from kugelpendel.paper.derivation import conditions as c
-from kugelpendel.paper.derivation.model import Formula, Kind, Step, claim
+from kugelpendel.paper.derivation.model import Formula, Step, StepKind, claim
 from kugelpendel.paper.proofs.numeric import in_world
 from kugelpendel.paper.proofs.symbolic import Premises, Proof
 from kugelpendel.paper.proofs.worlds import linear
@@ -37,8 +37,8 @@ _CUBIC_X, _CUBIC_Y = (
     rf"+ \frac{{{q}}}{{l^2}} (\dot{{x}}^2 + \dot{{y}}^2)"
     for q in "xy"
 )
-_STEP_X = Step(Kind.SOLVE, ("13a",), (c.LINEAR,), neglected=_CUBIC_X)
-_STEP_Y = Step(Kind.SOLVE, ("13b",), (c.LINEAR,), neglected=_CUBIC_Y)
+_STEP_X = Step(StepKind.SOLVE, ("13a",), (c.LINEAR,), neglected=_CUBIC_X)
+_STEP_Y = Step(StepKind.SOLVE, ("13b",), (c.LINEAR,), neglected=_CUBIC_Y)
 
 FORMULAS: tuple[Formula, ...] = (
     claim("16:x", r"x = a \cos \omega_0 t", _STEP_X, Proof(_solves, _LINEAR), number="16"),

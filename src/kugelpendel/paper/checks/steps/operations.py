@@ -35,10 +35,17 @@ from kugelpendel.paper.checks.steps.conversions import (
 )
 from kugelpendel.paper.checks.steps.work import Work
 from kugelpendel.paper.derivation.graph import FORMULAS, parts, right
-from kugelpendel.paper.derivation.model import Formula, Kind, Step
+from kugelpendel.paper.derivation.model import Formula, Step, StepKind
 
-_WITH_DETAIL = {Kind.PROJECT, Kind.MULTIPLY, Kind.DIVIDE, Kind.COMPLETE, Kind.SOLVE, Kind.COMPARE}
-_INEXACT = {Kind.EXPAND, Kind.AVERAGE, Kind.NEGLECT, Kind.SOLVE}
+_WITH_DETAIL = {
+    StepKind.PROJECT,
+    StepKind.MULTIPLY,
+    StepKind.DIVIDE,
+    StepKind.COMPLETE,
+    StepKind.SOLVE,
+    StepKind.COMPARE,
+}
+_INEXACT = {StepKind.EXPAND, StepKind.AVERAGE, StepKind.NEGLECT, StepKind.SOLVE}
 
 
 def is_done(one: Formula, step: Step | None = None) -> bool:
@@ -61,23 +68,23 @@ def _previous(one: Formula) -> str:
     return FORMULAS[next(k for k, f in enumerate(FORMULAS) if f.label == one.label) - 1].label
 
 
-_MEANING: dict[Kind, Callable[[Work], bool]] = {
-    Kind.LAW: is_law,
-    Kind.DEFINE: is_definition,
-    Kind.ASSUME: is_assumption,
-    Kind.ANSATZ: is_ansatz,
-    Kind.SUBSTITUTE: is_substitution,
-    Kind.DIFFERENTIATE: is_differentiation,
-    Kind.PROJECT: is_projection,
-    Kind.MULTIPLY: lambda work: is_scaled(work, 1),
-    Kind.DIVIDE: lambda work: is_scaled(work, -1),
-    Kind.REARRANGE: is_rearrangement,
-    Kind.COMPLETE: is_completion,
-    Kind.EXPAND: is_expansion,
-    Kind.AVERAGE: is_average,
-    Kind.NEGLECT: is_neglect,
-    Kind.SOLVE: is_solution,
-    Kind.COMPARE: is_comparison,
-    Kind.ADD: lambda work: is_sum(work, 1),
-    Kind.SUBTRACT: lambda work: is_sum(work, -1),
+_MEANING: dict[StepKind, Callable[[Work], bool]] = {
+    StepKind.LAW: is_law,
+    StepKind.DEFINE: is_definition,
+    StepKind.ASSUME: is_assumption,
+    StepKind.ANSATZ: is_ansatz,
+    StepKind.SUBSTITUTE: is_substitution,
+    StepKind.DIFFERENTIATE: is_differentiation,
+    StepKind.PROJECT: is_projection,
+    StepKind.MULTIPLY: lambda work: is_scaled(work, 1),
+    StepKind.DIVIDE: lambda work: is_scaled(work, -1),
+    StepKind.REARRANGE: is_rearrangement,
+    StepKind.COMPLETE: is_completion,
+    StepKind.EXPAND: is_expansion,
+    StepKind.AVERAGE: is_average,
+    StepKind.NEGLECT: is_neglect,
+    StepKind.SOLVE: is_solution,
+    StepKind.COMPARE: is_comparison,
+    StepKind.ADD: lambda work: is_sum(work, 1),
+    StepKind.SUBTRACT: lambda work: is_sum(work, -1),
 }

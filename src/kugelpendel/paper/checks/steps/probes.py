@@ -13,13 +13,13 @@ from kugelpendel.paper.algebra.symbols import STILL, Ddt
 from kugelpendel.paper.algebra.sympy_names import Abs, Expr, Pow, Rational, mp, mpf
 from kugelpendel.paper.checks.remainders import dropped, drops, highest
 from kugelpendel.paper.derivation.graph import parts, premises, right
-from kugelpendel.paper.derivation.model import Condition, Formula, Kind
+from kugelpendel.paper.derivation.model import Condition, Formula, StepKind
 from kugelpendel.paper.proofs.numeric import EXPONENT
 from kugelpendel.paper.proofs.worlds import DIGITS, World, kinematic
 
 Breaks = Callable[[Formula], bool]
 Fails = Callable[[Condition], bool]
-_POSED = (Kind.LAW, Kind.DEFINE)
+_POSED = (StepKind.LAW, StepKind.DEFINE)
 _FIRST = {s.T, s.z}  # the letters of the conditions of the first equations
 
 
@@ -144,7 +144,7 @@ def _divisors(one: Formula) -> set[Expr]:
     found: set[Expr] = set()
     for latex in (one.right, *used, *details):
         found.update(denominators(latex.removeprefix(r"\pm")))
-    if one.step.kind == Kind.DIVIDE:
+    if one.step.kind == StepKind.DIVIDE:
         found.add(read(one.step.detail).lhs)
     return {e for e in found if e.free_symbols}
 
@@ -196,7 +196,7 @@ def of_size(name: str, section: int, orders: Mapping[Expr, int]) -> Probe:
         return any(order(left) <= order(right_side) for left, right_side in sides)
 
     def breaks(one: Formula) -> bool:
-        if one.section != section or not drops(one.label) or one.step.kind == Kind.AVERAGE:
+        if one.section != section or not drops(one.label) or one.step.kind == StepKind.AVERAGE:
             return False
         work = dropped(one.label)
         return order(work.dropped) <= highest(work.kept, orders)

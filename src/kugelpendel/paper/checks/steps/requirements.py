@@ -29,7 +29,7 @@ from kugelpendel.paper.checks.steps.probes import (
     with_moving,
 )
 from kugelpendel.paper.derivation.graph import FORMULAS, parts, rests_on, right
-from kugelpendel.paper.derivation.model import Condition, Formula, Kind
+from kugelpendel.paper.derivation.model import Condition, Formula, StepKind
 from kugelpendel.paper.proofs.numeric import EXPONENT
 from kugelpendel.paper.proofs.violations import slack, turning_frame, upwards
 from kugelpendel.paper.proofs.worlds import DIGITS, balanced, dynamic
@@ -96,26 +96,26 @@ def _all(label: str) -> set[Expr]:
 def _is_exchanged(one: Formula) -> bool:
     """Whether ÿ comes out although no premise has it, and nothing is differentiated for it."""
     known = {q for name in one.step.premises for part in parts(name) for q in _all(part.label)}
-    return one.step.kind == Kind.NEGLECT and s.ydd in _all(one.label) - known
+    return one.step.kind == StepKind.NEGLECT and s.ydd in _all(one.label) - known
 
 
 def _leaves_an_equation_out(one: Formula) -> bool:
     """Whether the bracket that is set to zero comes from (13a) alone: (16) only lends its form."""
     before = set(rests_on(one.label))
     sources = (f for f in FORMULAS if f.label in before and f.section != 3)
-    return one.step.kind == Kind.COMPARE and not any("13b" in f.step.premises for f in sources)
+    return one.step.kind == StepKind.COMPARE and not any("13b" in f.step.premises for f in sources)
 
 
 def _compares_dependent(one: Formula, values: Mapping[Expr, Expr]) -> bool:
     """Whether one of the functions that are compared is then no function of its own."""
-    if one.step.kind != Kind.COMPARE:
+    if one.step.kind != StepKind.COMPARE:
         return False
     details = [part.step.detail for part in parts(one.display)]
     return any(is_zero(read(detail).lhs.subs(values)) for detail in details)
 
 
 def _leaves_harmonics_out(one: Formula) -> bool:
-    return one.step.kind in (Kind.AVERAGE, Kind.ANSATZ)
+    return one.step.kind in (StepKind.AVERAGE, StepKind.ANSATZ)
 
 
 def _no_function(name: str, values: Mapping[Expr, Expr]) -> Probe:
