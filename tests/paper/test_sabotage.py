@@ -84,6 +84,7 @@ CONDITIONED = [
     ),
 ]
 DROPPED = [
+    Hand(S4, "(c.SLOW, c.SLOW_MINOR)", "(c.SLOW_MINOR,)", "20.6", "what the paper states"),
     Hand(S2, '("6.2:2",), (c.INEXTENSIBLE,)', '("6.2:2",)', "8:1", "a length that changes"),
     Hand(S2E, "(c.SMALL, c.SMALL_RATES),", "(c.SMALL,),", "13a", "a large velocity"),
     Hand(S2E, "(c.SMALL, c.SMALL_RATES, c.SAME", "(c.SMALL, c.NOT_EQUATOR, c.SAME", "13b",

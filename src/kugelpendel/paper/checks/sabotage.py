@@ -119,8 +119,7 @@ def _conditions(one: Formula) -> Iterator[Sabotage]:
     own = one.step.conditions
     for at, condition in enumerate(own):
         others = (*own[:at], *own[at + 1 :])
-        if not _is_implied(condition, others):
-            yield _with_step(one, "condition", f"without {condition.key}", conditions=others)
+        yield _with_step(one, "condition", f"without {condition.key}", conditions=others)
         for turned in _turned(condition):
             changed = (*own[:at], replace(condition, latex=turned), *own[at + 1 :])
             yield _with_step(one, "condition", turned, conditions=changed)
@@ -128,11 +127,6 @@ def _conditions(one: Formula) -> Iterator[Sabotage]:
         if condition not in own:
             more = (*own, condition)
             yield _with_step(one, "condition", f"with {condition.key}", conditions=more)
-
-
-def _is_implied(condition: Condition, others: tuple[Condition, ...]) -> bool:
-    """What the paper says itself may be implied by something stronger that it does not say."""
-    return condition is conditions.SLOW and conditions.SLOW_MINOR in others
 
 
 def _turned(condition: Condition) -> Iterator[str]:

@@ -25,11 +25,16 @@ _FIRST = {s.T, s.z}  # the letters of the conditions of the first equations
 
 @dataclass(frozen=True)
 class Probe:
-    """One way in which conditions fail: which of them do, and which steps break."""
+    """One way in which conditions fail: which of them do, and which steps break.
+
+    `is_size`: whether something is not as small as it is taken to be. Then a condition that the
+    paper states must be named, if it states one, and not only a stronger one that it does not.
+    """
 
     name: str
     fails: Fails
     breaks: Breaks
+    is_size: bool = False
 
 
 def in_world(name: str, make: Callable[[int], World], key: str = "") -> Probe:
@@ -201,7 +206,7 @@ def of_size(name: str, section: int, orders: Mapping[Expr, int]) -> Probe:
         work = dropped(one.label)
         return order(work.dropped) <= highest(work.kept, orders)
 
-    return Probe(name, fails, breaks)
+    return Probe(name, fails, breaks, is_size=True)
 
 
 def _bare(e: Expr) -> Expr:

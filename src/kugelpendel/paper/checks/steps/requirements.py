@@ -28,11 +28,18 @@ from kugelpendel.paper.checks.steps.probes import (
     of_size,
     with_moving,
 )
+from kugelpendel.paper.derivation import conditions
 from kugelpendel.paper.derivation.graph import FORMULAS, parts, rests_on, right
 from kugelpendel.paper.derivation.model import Condition, Formula, StepKind
 from kugelpendel.paper.proofs.numeric import EXPONENT
 from kugelpendel.paper.proofs.violations import slack, turning_frame, upwards
 from kugelpendel.paper.proofs.worlds import DIGITS, balanced, dynamic
+
+_STATED = tuple(
+    condition
+    for condition in vars(conditions).values()
+    if isinstance(condition, Condition) and not condition.silent
+)
 
 
 def faults(one: Formula) -> tuple[str, ...]:
@@ -45,6 +52,9 @@ def faults(one: Formula) -> tuple[str, ...]:
         excluding = [condition for condition in one.step.conditions if probe.fails(condition)]
         if not excluding:
             found.append(f"needs a condition against: {probe.name}")
+        elif probe.is_size and any(probe.fails(condition) for condition in _STATED):
+            if all(condition.silent for condition in excluding):
+                found.append(f"does not name what the paper states against: {probe.name}")
         for condition in excluding:
             others = [other for other in excluding if other is not condition]
             stated = not condition.silent and all(other.silent for other in others)
