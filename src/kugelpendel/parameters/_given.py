@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kugelpendel import _core
-from kugelpendel.errors import InvalidInput
+from kugelpendel.errors import InvalidInput, Told
 from kugelpendel.parameters._numbers import (
     Numbers,
     Scalars,
@@ -53,20 +53,21 @@ class Given:
             Under the names of `units`.
         """
         for name, value in given.items():
-            unit = self.units[name]
-            if value is None and name in optional:
-                object.__setattr__(self, name, None)
-                continue
-            known = as_numbers(cast("ArrayLike", value), f"{self.part}.{name}", unit)
+            known = value
+            if type(value) is not float and not (value is None and name in optional):
+                what = f"{self.part}.{name}"
+                known = as_numbers(cast("ArrayLike", value), what, self.units[name])
             object.__setattr__(self, name, known)
         try:
             single = self.shape == ()
         except ValueError:
             raise unfit(names, tuple(self.named.values())) from None
-        if single:
-            problem = _core.problem({name: float(value) for name, value in self.prefixed.items()})
-            if problem is not None:
-                raise InvalidInput.told(problem)
+        if single and (problem := self._problem()) is not None:
+            raise InvalidInput.told(problem)
+
+    def _problem(self) -> Told | None:
+        """What the core says is wrong with a single case, if anything is."""
+        return _core.problem({name: float(value) for name, value in self.prefixed.items()})
 
     @property
     def named(self) -> dict[str, Scalars]:
@@ -123,3 +124,24 @@ def _spelled_value(value: Scalars) -> str:
     if flat.size <= 3:
         return str(value.tolist())
     return f"[{flat[0]:.6g} … {flat[-1]:.6g}: {' × '.join(map(str, value.shape))}]"
+
+
+def require_type(what: str, given: object, wanted: type, way_out: str = "") -> None:
+    """Raise InvalidInput for what is no instance of a class of this package.
+
+    Parameters
+    ----------
+    what
+        For the sentence, such as "The pendulum".
+    way_out
+        What to write; a call of the class unless given.
+    """
+    if isinstance(given, wanted):
+        return
+    raise InvalidInput.of(
+        "wrong_type",
+        what=what,
+        wanted=f"kugelpendel.{wanted.__name__}",
+        seen=f"{given!r:.60} of type {type(given).__name__}",
+        way_out=way_out or f"write kp.{wanted.__name__}(…)",
+    )

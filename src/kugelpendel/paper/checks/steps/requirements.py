@@ -52,9 +52,10 @@ def faults(one: Formula) -> tuple[str, ...]:
         excluding = [condition for condition in one.step.conditions if probe.fails(condition)]
         if not excluding:
             found.append(f"needs a condition against: {probe.name}")
-        elif probe.is_size and any(probe.fails(condition) for condition in _STATED):
-            if all(condition.silent for condition in excluding):
-                found.append(f"does not name what the paper states against: {probe.name}")
+        elif probe.is_size and all(condition.silent for condition in excluding):
+            if_stated = any(probe.fails(condition) for condition in _STATED)
+            said = f"does not name what the paper states against: {probe.name}"
+            found.extend([said] if if_stated else [])
         for condition in excluding:
             others = [other for other in excluding if other is not condition]
             stated = not condition.silent and all(other.silent for other in others)
