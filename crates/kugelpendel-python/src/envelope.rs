@@ -1,8 +1,8 @@
 //! Averaged motions: flat arrays in, flat arrays out.
 
 use crate::columns::{Columns, Numbers, launcher, new_array};
-use crate::real::{drive, forces, lock, problems};
-use kugelpendel::{Envelope, EnvelopeMotion, EnvelopeWalks, Invalid, Pendulum, Quantity};
+use crate::real::{GROUP, Signal, drive, forces, lock, problems};
+use kugelpendel::{Envelope, EnvelopeMotion, EnvelopeWalks, Halt, Invalid, Pendulum, Quantity};
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -74,13 +74,14 @@ impl EnvelopeMotions {
             _ => return Err(PyValueError::new_err(format!("an averaged motion has no {what:?}"))),
         };
         let times = times.as_slice()?;
+        let signal = Signal::default();
         let mut ends = vec![f64::NAN; self.motions.len()];
         let size = what.width() * times.len();
         let row = |index: usize, row: &mut [f64], end: &mut f64| {
             row.fill(f64::NAN);
             let Ok(motion) = &self.motions[index] else { return };
             let mut walks = lock(&self.walks[index]);
-            if let Err(time) = motion.fill(what, times, row, &mut walks) {
+            if let Err(Halt::Ended(time)) = motion.fill(what, times, row, &mut walks, &|| signal.arrived()) {
                 *end = time;
             }
         };
@@ -91,9 +92,15 @@ impl EnvelopeMotions {
             if let [end] = &mut ends[..] {
                 return row(0, out, end);
             }
-            let rows = out.par_chunks_mut(size).zip(&mut ends).enumerate();
-            rows.for_each(|(index, (out, end))| row(index, out, end));
+            for (group, (out, ends)) in out.chunks_mut(size * GROUP).zip(ends.chunks_mut(GROUP)).enumerate() {
+                let rows = out.par_chunks_mut(size).zip(ends).enumerate();
+                rows.for_each(|(index, (out, end))| row(group * GROUP + index, out, end));
+                if signal.arrived() {
+                    return;
+                }
+            }
         });
+        signal.raised()?;
         Ok((array, ends.into_pyarray(py)))
     }
 
@@ -104,9 +111,14 @@ impl EnvelopeMotions {
     }
 
     /// The times in s between which each motion holds, two to a motion, looked for within a time; NaN for the bad ones.
-    fn span<'py>(&self, py: Python<'py>, within: f64) -> Numbers<'py> {
-        let span = |motion: &Result<EnvelopeMotion, Invalid>| motion.as_ref().map_or([f64::NAN; 2], |m| m.span(within));
+    fn span<'py>(&self, py: Python<'py>, within: f64) -> PyResult<Numbers<'py>> {
+        let signal = Signal::default();
+        let span = |motion: &Result<EnvelopeMotion, Invalid>| {
+            let span = motion.as_ref().ok().and_then(|motion| motion.span(within, &|| signal.arrived()).ok());
+            span.unwrap_or([f64::NAN; 2])
+        };
         let spans: Vec<_> = py.detach(|| self.motions.par_iter().flat_map_iter(span).collect());
-        spans.into_pyarray(py)
+        signal.raised()?;
+        Ok(spans.into_pyarray(py))
     }
 }

@@ -2,5 +2,6 @@
 
 pub(crate) mod arithmetic;
 pub(crate) mod double_double;
+pub(crate) mod dual;
 pub(crate) mod elliptic;
 pub(crate) mod turns;
