@@ -185,6 +185,31 @@ impl ClosedForm<f64> {
         place
     }
 
+    /// The zero-mean integral of 2(x + iy)z' over time, where e^{iΘ} is given and z counts downwards: what a horizontal
+    /// rotation takes from the angular momentum in a swing and gives back.
+    pub(super) fn swayed(&self, turn: Complex64) -> Complex64 {
+        let Self { frequency, precession, nome, .. } = *self;
+        let mut sum = Complex64::ZERO;
+        let mut height = 16.0 * frequency * frequency * nome;
+        for k in 1..=self.pairs {
+            // z = … + Σ (−1)^k h_k cos 2kΘ with h_k = 16ω²k q^k/(1 − q^2k), so that z' has −(−1)^k 2kω h_k sin 2kΘ.
+            let even = 2.0 * k as f64;
+            let sign = if k % 2 == 0 { -1.0 } else { 1.0 };
+            let rate = sign * even * frequency * height * k as f64 / (1.0 - nome.powi(2 * k as i32));
+            for (order, ahead, behind) in self.harmonics() {
+                for (n, harmonic) in [(order, ahead), (-order, behind)] {
+                    for half in [1.0, -1.0] {
+                        // 2 sin 2kΘ e^{inΘ} = −i(e^{i(n + 2k)Θ} − e^{i(n − 2k)Θ}), and the integral divides by i(nω + Ω).
+                        let n = n + half * even;
+                        sum -= half * rate * harmonic / (n * frequency + precession) * turn.powf(n);
+                    }
+                }
+            }
+            height *= nome;
+        }
+        sum
+    }
+
     /// Its rate, seen from outside that frame.
     pub(super) fn velocity(&self, turn: Complex64) -> Complex64 {
         let square = turn * turn;

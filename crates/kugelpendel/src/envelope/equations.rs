@@ -34,8 +34,9 @@ type Changes = [Complex64; 2];
 #[derive(Clone, Copy, Debug)]
 pub(super) struct AveragedEquations {
     exact: bool,
-    /// Ω_z.
+    /// Ω_z and Ω_h.
     turn: f64,
+    sway: f64,
     /// γ, c.
     drag: [f64; 2],
     /// δ, the true difference of the two frequencies, and Δγ.
@@ -71,8 +72,25 @@ impl Circles {
         Self { p: scale * first, q: scale * second, ahead: unit(first, x, y), behind: unit(second, u, v) }
     }
 
-    fn actions(&self) -> [f64; 2] {
+    pub(super) fn amplitudes(&self) -> [Complex64; 2] {
+        [self.p * self.ahead, self.q * self.behind]
+    }
+
+    /// By which angles the directions differ from others.
+    pub(super) fn turned_from(&self, others: &Self) -> [f64; 2] {
+        [(self.ahead * others.ahead.conj()).arg(), (self.behind * others.behind.conj()).arg()]
+    }
+
+    pub(super) fn actions(&self) -> [f64; 2] {
         [self.p * self.p, self.q * self.q]
+    }
+}
+
+impl From<[Complex64; 2]> for Circles {
+    fn from([ahead, behind]: [Complex64; 2]) -> Self {
+        let unit = |value: Complex64, size: f64| if size > 0.0 { value / size } else { Complex64::ONE };
+        let (p, q) = (ahead.norm(), behind.norm());
+        Self { p, q, ahead: unit(ahead, p), behind: unit(behind, q) }
     }
 }
 
@@ -84,6 +102,8 @@ struct Gentle {
     /// Of Φ and of Ψ.
     phase: f64,
     turned: f64,
+    /// The part of the phase's rate that the suspension adds, of both A±.
+    stiffened: [f64; 2],
     /// By the suspension.
     coupled: Option<Changes>,
 }
@@ -102,6 +122,7 @@ impl AveragedEquations {
         Self {
             exact,
             turn,
+            sway: forces.rotation[0] / omega0,
             drag: [damping, forces.quadratic * length],
             stiff: split,
             lossy: forces.damping_anisotropy / omega0,
@@ -141,6 +162,20 @@ impl AveragedEquations {
             (_, true) => [first.sqrt(), second.sqrt()],
             _ => [first.sqrt(), 0.0],
         }
+    }
+
+    /// The mean actions of a swing that has these at this azimuth and phase: without what the horizontal rotation adds
+    /// for a part of the swing. It does no work, so that ωδJ_Θ + ΩδJ_ψ = 0.
+    pub(super) fn settled(&self, actions: [f64; 2], azimuth: f64, phase: f64) -> [f64; 2] {
+        if self.sway == 0.0 || !self.exact {
+            return actions;
+        }
+        let Some(swing) = Swing::of(actions) else { return actions };
+        let form = swing.form.map(|number| number.value);
+        let swayed = Complex64::cis(azimuth) * form.swayed(Complex64::cis(phase));
+        let spin = -self.sway * swayed.im;
+        let ratio = form.precession / form.frequency;
+        [actions[0] - 0.5 * (1.0 - ratio) * spin, actions[1] + 0.5 * (1.0 + ratio) * spin]
     }
 
     /// Rates of the state; NaN where the bob would be level with the support.
@@ -230,6 +265,7 @@ impl AveragedEquations {
             let square = form.sum(|(_, ahead, behind)| ahead * ahead + behind * behind);
             let [first, second] = swing.along_actions(square);
             let (first, second) = (first / x, second / y);
+            gentle.stiffened = [0.5 * self.stiff * first, 0.5 * self.stiff * second];
             gentle.phase += 0.25 * self.stiff * (first + second);
             gentle.turned += 0.25 * self.stiff * (first - second);
             let Complex64 { re: cos, im: sin } = ahead * behind * self.stiff_axis;
@@ -256,6 +292,24 @@ impl AveragedEquations {
             coupled[1] += p * Complex64::new(faded(-1.0), turned(1, m_second));
         }
         gentle.coupled = Some(coupled);
+    }
+
+    /// A± of the swing on which the bob is found. An uneven suspension pulls with the place: the actions and angles that
+    /// change as the averages say belong to place and velocity together, a_± = A± ∓ (i/2)A±', and not to the place alone.
+    pub(super) fn in_place(&self, circles: &Circles, swing: &Swing) -> Option<Circles> {
+        let mut gentle = Gentle::default();
+        self.suspend(circles, swing, &mut gentle);
+        let [ahead, behind] = gentle.coupled?;
+        let [first, second] = gentle.stiffened;
+        let half = Complex64::new(0.0, 0.5);
+        let moved = |size: f64, direction: Complex64, more: Complex64| {
+            let moved = size + more;
+            let norm = moved.norm();
+            (norm, if norm > 0.0 { direction * moved / norm } else { direction })
+        };
+        let (p, ahead) = moved(circles.p, circles.ahead, half * (ahead + Complex64::I * first * circles.p));
+        let (q, behind) = moved(circles.q, circles.behind, -half * (behind - Complex64::I * second * circles.q));
+        Some(Circles { p, q, ahead, behind })
     }
 
     fn pushed(&self, circles: &Circles, swing: &Swing) -> Option<Changes> {

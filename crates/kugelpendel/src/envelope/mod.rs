@@ -295,6 +295,13 @@ impl EnvelopeMotion {
     /// On the ideal motion between the two turning radii, with the rates that the forces add.
     fn point(&self, quantity: Quantity, [azimuth, phase]: [f64; 2], circles: &Circles, swing: &Swing) -> [f64; 3] {
         let length = self.pendulum.length;
+        let placed = self.equations.in_place(circles, swing);
+        let placed = placed.and_then(|placed| Some((placed, swing.moved(circles.actions(), placed.actions())?)));
+        let (circles, swing, moved) = match &placed {
+            Some((placed, swing)) => (placed, swing, placed.turned_from(circles)),
+            None => (circles, swing, [0.0; 2]),
+        };
+        let (azimuth, phase) = (azimuth + 0.5 * (moved[0] + moved[1]), phase + 0.5 * (moved[0] - moved[1]));
         let direction = Complex64::cis(azimuth);
         let turn = Complex64::cis(phase);
         let form = swing.form.map(|number| number.value);
@@ -338,7 +345,23 @@ fn mean(
             break;
         }
     }
-    Some(moment)
+    // What is in this place, and from there the slow variables themselves.
+    let target = Circles::of(&moment.state).amplitudes();
+    let mut found = target;
+    for _ in 0..8 {
+        let circles = Circles::from(found);
+        let Some(placed) = equations.in_place(&circles, &equations.swing(&circles)?) else { break };
+        let missing = [0, 1].map(|k| target[k] - placed.amplitudes()[k]);
+        found = [found[0] + missing[0], found[1] + missing[1]];
+        if missing[0].norm() + missing[1].norm() <= 1e-17 {
+            break;
+        }
+    }
+    let turned = [0, 1].map(|k| if target[k].norm() > 0.0 { (found[k] / target[k]).arg() } else { 0.0 });
+    let angles = [moment.angles[0] + turned[0], moment.angles[1] + turned[1]];
+    let [ahead, behind] = angles;
+    let actions = equations.settled(found.map(|value| value.norm_sqr()), 0.5 * (ahead + behind), 0.5 * (ahead - behind));
+    Some(Moment::of(actions.map(|action| action.max(0.0).sqrt()), angles))
 }
 
 /// Of the ideal motion.
@@ -363,8 +386,5 @@ fn osculating(
     if motion.angular_momentum() < 0.0 {
         sizes.reverse();
     }
-    let angles = [azimuth + phase, azimuth - phase];
-    let [ahead, behind] = angles.map(f64::sin_cos);
-    let [p, q] = sizes;
-    Some(Moment { state: [p * ahead.1, p * ahead.0, q * behind.1, q * behind.0, 0.0, 0.0, 0.0], angles })
+    Some(Moment::of(sizes, [azimuth + phase, azimuth - phase]))
 }

@@ -43,6 +43,12 @@ pub(super) struct Moment {
 }
 
 impl Moment {
+    /// The launch, by the sizes of A± and their arguments.
+    pub(super) fn of([p, q]: [f64; 2], angles: [f64; 2]) -> Self {
+        let [ahead, behind] = angles.map(f64::sin_cos);
+        Self { state: [p * ahead.1, p * ahead.0, q * behind.1, q * behind.0, 0.0, 0.0, 0.0], angles }
+    }
+
     /// That moment of a motion whose amplitudes do not change.
     pub(super) fn after(&self, time: f64, slope: &SlowState) -> Self {
         let mut state = self.state;

@@ -14,7 +14,7 @@ pub(super) const SMALLEST: f64 = 1e-18;
 pub(super) const ROUNDEST: f64 = 1e-32;
 
 /// Relative corrections below this are applied to first order; the second is then lost in rounding.
-const SMALL: f64 = 2e-8;
+const SMALL: f64 = 5e-8;
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Swing {
@@ -37,8 +37,27 @@ impl Swing {
         if first + second < SMALLEST {
             return Some(Self::first_order(actions));
         }
-        // Right to first order in the plane and on the circle.
-        let (mut x, mut y) = (first / (1.0 + 0.125 * second), second / (1.0 + 0.125 * first));
+        // X = x(1 + y/8 + x²/32 − 5xy/128 + 7y²/128 + …).
+        let (x, y) = (first / (1.0 + 0.125 * second), second / (1.0 + 0.125 * first));
+        let series = |x: f64, y: f64| 1.0 + 0.125 * y + (4.0 * x * x - 5.0 * x * y + 7.0 * y * y) / 128.0;
+        let (x, y) = (first / series(x, y), second / series(y, x));
+        Self::near([first, second], [first / series(x, y), second / series(y, x)])
+    }
+
+    /// The swing of slightly other actions than these.
+    pub(super) fn moved(&self, from: [f64; 2], to: [f64; 2]) -> Option<Self> {
+        let floor = ROUNDEST * (from[0] + from[1]);
+        let [from, to] = [from, to].map(|actions| actions.map(|action| action.max(floor)));
+        if self.is_harmonic || from[0] + from[1] < SMALLEST {
+            return Some(Self::first_order(to));
+        }
+        let grown = [to[0] / from[0] - 1.0, to[1] / from[1] - 1.0];
+        let factor = |[first, second]: [f64; 2]| (1.0 + first * grown[0] + second * grown[1]).clamp(0.1, 10.0);
+        Self::near(to, [self.x * factor(self.inverse[0]), self.y * factor(self.inverse[1])])
+    }
+
+    /// By Newton's method from a guess of x and y.
+    fn near([first, second]: [f64; 2], [mut x, mut y]: [f64; 2]) -> Option<Self> {
         for _ in 0..40 {
             (x, y) = below_support(x, y);
             let along = |value: f64, k: usize| {
