@@ -110,6 +110,20 @@ impl EnvelopeMotions {
         all.fold([0.0; 5], |most, these| std::array::from_fn(|k| f64::max(most[k], these[k])))
     }
 
+    /// The bound in rad of the azimuth's error within a time in s, the largest of all motions, NaN not counted.
+    fn azimuth_error(&self, within: f64) -> f64 {
+        self.motions.iter().flatten().map(|motion| motion.azimuth_error(within)).fold(0.0, f64::max)
+    }
+
+    /// The first motion's largest distance from the full equations within so many swings, as a share of a.
+    fn measured_error(&self, py: Python<'_>, swings: u32) -> PyResult<f64> {
+        let signal = Signal::default();
+        let measure = |motion: &EnvelopeMotion| motion.measured_error(swings, &|| signal.arrived());
+        let error = py.detach(|| self.motions.iter().flatten().next().map(measure));
+        signal.raised()?;
+        Ok(error.and_then(Result::ok).unwrap_or(f64::NAN))
+    }
+
     /// The times in s between which each motion holds, two to a motion, looked for within a time; NaN for the bad ones.
     fn span<'py>(&self, py: Python<'py>, within: f64) -> PyResult<Numbers<'py>> {
         let signal = Signal::default();

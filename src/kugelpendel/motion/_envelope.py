@@ -5,13 +5,13 @@ from __future__ import annotations
 import warnings
 from dataclasses import dataclass, fields
 from functools import cached_property
+from math import degrees
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kugelpendel import _core
 from kugelpendel.motion._pumping import refuse_pumping
-from kugelpendel.motion._real import RealMotion
 from kugelpendel.motion._surrounded import Surrounded
 from kugelpendel.motion._surroundings import Surroundings
 from kugelpendel.motion._times import checked_grid, checked_times
@@ -29,6 +29,9 @@ from kugelpendel.parameters import (
 
 _AHEAD = 1e8
 """s: how far an end of the motion is looked for, some three years."""
+
+_DAY = 86400.0
+"""s: over which `trust` says how far the azimuth is off."""
 
 _WARN = 0.01
 """Forces that change a swing by more than this share of it: a warning with the measured error.
@@ -189,7 +192,7 @@ class EnvelopeMotion(Surrounded):
         measured = "."
         if self.shape == ():
             measured = (
-                f": against RealMotion it is off by {self._measured_error():.2g} of the amplitude "
+                f": against RealMotion it is off by {self._motions.measured_error(_SWINGS):.2g} of the amplitude "
                 f"within {_SWINGS} swings."
             )
         return (
@@ -197,39 +200,23 @@ class EnvelopeMotion(Surrounded):
             f"{measured} Use RealMotion."
         )
 
-    def _measured_error(self) -> float:
-        """Largest distance from the full equations over 100 swings, as a share of a."""
-        around = self._around
-        swing = 2 * np.pi / float(self.angular_frequency)
-        times = swing * np.linspace(0.0, _SWINGS, 20 * _SWINGS + 1)
-        full = RealMotion(
-            around.pendulum,
-            around.launch,
-            site=around.site,
-            drag=around.drag,
-            suspension=around.suspension,
-            bob=around.bob,
-            drive=around.drive,
-            thread="rod",
-        )
-        times = times[times < self.span[1]]
-        apart = np.linalg.norm(self.position(times) - full.position(times), axis=-1)
-        return float((apart / self.semi_axes(times)[..., 0]).max())
-
     @property
     def trust(self) -> str:
-        """Where the motion holds, and how far for these forces."""
+        """Where the motion holds, and how far the azimuth may be off within a day."""
         name, strength = self._strongest
-        if strength == 0.0:
+        error = self._motions.azimuth_error(_DAY)
+        if strength == 0.0 and error == 0.0:
             return "Swings below the support; without forces, or under a turning ground, exact."
-        with np.errstate(all="ignore"):
-            size = np.nanmax(self.semi_axes(0.0)[..., 0] / np.asarray(self.pendulum.length))
+        wavering = ""
+        if strength > 0.0:
+            wavering = (
+                f" The forces change them little in one swing, here by {strength:.1g} of the swing "
+                f"({name}); by about half of that it wavers about the mean."
+            )
         return (
-            f"Swings below the support, and forces that change them little in one swing: here by "
-            f"{strength:.1g} of the swing ({name}), by about half of which it wavers about the "
-            f"mean. Left out of the effect of suspension and quadratic drag is a share of about "
-            f"{0.05 * size**2:.1g}. Next to a circle the azimuth, and what a drive does, mean "
-            f"little."
+            f"Swings below the support: the azimuth is within {degrees(error):.2g}° over 24 h, a "
+            f"bound of what was measured against the full equations (docs/real.md).{wavering} Next "
+            f"to a circle the azimuth, and what a drive does, mean little."
         )
 
     def semi_axes(self, t: ArrayLike) -> Numbers:

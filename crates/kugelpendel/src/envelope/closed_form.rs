@@ -7,6 +7,7 @@
 //! point on, in the turning frame, x + iy = Σ (−1)^k (ahead_k e^{i(2k+1)Θ} + behind_k e^{−i(2k+1)Θ}).
 
 use crate::numbers::dual::{Dual, Real};
+use crate::numbers::landen::{Landen, Mean};
 use num_complex::Complex64;
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -32,7 +33,7 @@ pub(super) struct ClosedForm<T> {
 /// A sum over pairs of harmonics, weighted by their order: see [`ClosedForm::sum`].
 pub(super) type Pair<T> = (f64, T, T);
 
-impl<T: Real> ClosedForm<T> {
+impl<T: Real + Mean> ClosedForm<T> {
     /// From x > 0 and y > 0, for swings below the support.
     #[inline(always)]
     pub(super) fn of(x: T, y: T) -> Self {
@@ -45,33 +46,34 @@ impl<T: Real> ClosedForm<T> {
         let third = product / rest + 2.0; // s_c
         let depths = product - sum * 2.0 + 4.0; // (2 − s_a)(2 − s_b)
         let lambda = (larger - smaller) * (product / rest * 0.5 + 1.0).sqrt();
-        // First terms of the two zeta sums, the upper one and c_1 over the range.
+        // First terms of the two zeta sums, the upper one over the range.
         let eighth = lambda * (0.5 * FRAC_1_SQRT_2);
         let mut lower = eighth / third;
         let mut upper = eighth / depths;
         let mut sums = lower + upper * (rest + 2.0);
         let joint = (third * third - third * sum + product).sqrt(); // √((s_c − s_a)(s_c − s_b))
-        let mut a = (third * 2.0 - sum + joint * 2.0).sqrt() * 0.5;
-        let mut b = joint.sqrt();
-        let mut c = (a * 4.0).recip();
+        // a_1, b_1 and c_1 over the range.
+        let first = (third * 2.0 - sum + joint * 2.0).sqrt() * 0.5;
+        let mut mean = Landen { a: first, b: joint.sqrt(), c: (first * 4.0).recip() };
         // The range to the power 2^n.
         let mut squared = squared_range;
         let mut steps = 1;
         loop {
+            let Landen { a, c, .. } = mean;
             let own = squared * c * c;
             lower = lower * ((own + lower * lower) / (a * a + lower * lower)).sqrt() * 0.5;
             upper = upper * ((c * c + upper * upper) / (a * a + squared * upper * upper)).sqrt() * 0.5;
-            (a, b) = ((a + b) * 0.5, (a * b).sqrt());
-            c = c * c / (a * 4.0);
+            mean = mean.next();
             let power = squared;
             squared = power * power;
             sums = sums + lower - power * upper;
             steps += 1;
-            let largest = (power.value() * c.value().max(upper.value())).max(lower.value());
+            let largest = (power.value() * mean.c.value().max(upper.value())).max(lower.value());
             if largest < 1e-9 || steps > 7 {
                 break;
             }
         }
+        let Landen { a, c, .. } = mean;
         let root = |value: T| (1..steps).fold(value, |value, _| value.sqrt());
         // q e^{2η0}, q over the range and e^{2η2}; of the first and the last the amplitudes' u = √(q e^{2η0}) e^{−η2}.
         let lowest = root((lower + (lower * lower + squared * c * c).sqrt()) / (a * 4.0));
@@ -227,10 +229,7 @@ impl ClosedForm<f64> {
 
 impl ClosedForm<Dual> {
     /// Swings of first order: rates given, one pair of harmonics.
-    pub(super) fn first_order(
-        [frequency, precession]: [Dual; 2],
-        [ahead, behind]: [Dual; 2],
-    ) -> Self {
+    pub(super) fn first_order([frequency, precession]: [Dual; 2], [ahead, behind]: [Dual; 2]) -> Self {
         let none = Dual::default();
         let mut form = Self {
             frequency,

@@ -6,6 +6,7 @@
 //! turning points goes to zero, what is not smooth there is taken off before and its integrals are known: with
 //! Y = 1 − κ cos φ, those of Y^(n + ½) follow from two by Legendre's recurrence, (ν + 1)m_{ν+1} = (2ν + 1)m_ν − ν(1 − κ²)m_{ν−1}.
 
+use crate::numbers::landen::Landen;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
@@ -131,23 +132,21 @@ impl Harmonic {
         let k = smaller / larger;
         let k2 = k * k;
         // In the plane both integrals stay finite while the mean goes to zero: near enough to it they are the same.
-        let (mut a, mut b) = (1.0, (1.0 - k2).max(1e-30).sqrt());
-        // c_n over c_0 = k, and (K − E)/K over k².
-        let (mut share, mut weight, mut sum) = (1.0, 1.0, 0.5);
+        let mut landen = Landen { a: 1.0, b: (1.0 - k2).max(1e-30).sqrt(), c: 1.0 };
+        // c_n over k, c_n being k^(2^n) times what the steps have; and (K − E)/K over k².
+        let (mut power, mut weight, mut sum) = (1.0, 1.0, 0.5);
         for _ in 0..12 {
-            let mean = 0.5 * (a + b);
-            share *= 0.25 * k * share / mean; // c_{n+1} = c_n²/4a_{n+1}
-            (a, b) = (mean, (a * b).sqrt());
+            landen = landen.next();
+            power *= k * power;
+            let share = power * landen.c;
             sum += weight * share * share;
             weight *= 2.0;
             if share * share < 1e-18 {
                 break;
             }
         }
-        Self {
-            mean: larger * (1.0 + k2 - 2.0 * k2 * sum) / a,
-            weighted: (2.0 - (1.0 + k2) * sum) / (3.0 * a * larger),
-        }
+        let a = landen.a;
+        Self { mean: larger * (1.0 + k2 - 2.0 * k2 * sum) / a, weighted: (2.0 - (1.0 + k2) * sum) / (3.0 * a * larger) }
     }
 }
 

@@ -20,6 +20,7 @@ use super::swing::{self, Swing};
 use crate::given::forces::{Drive, Forces};
 use crate::numbers::dual::Dual;
 use num_complex::Complex64;
+use std::f64::consts::PI;
 
 /// C₊, C₋, Φ less ω0t, Ψ, Γ.
 pub(super) type SlowState = [f64; NUMBERS];
@@ -35,8 +36,8 @@ type Changes = [Complex64; 2];
 pub(super) struct AveragedEquations {
     exact: bool,
     /// Ω_z and Ω_h.
-    turn: f64,
-    sway: f64,
+    pub(super) turn: f64,
+    pub(super) sway: f64,
     /// γ, c.
     drag: [f64; 2],
     /// δ, the true difference of the two frequencies, and Δγ.
@@ -109,13 +110,7 @@ struct Gentle {
 }
 
 impl AveragedEquations {
-    pub(super) fn new(
-        forces: &Forces,
-        drive: Drive,
-        length: f64,
-        omega0: f64,
-        exact: bool,
-    ) -> Self {
+    pub(super) fn new(forces: &Forces, drive: Drive, length: f64, omega0: f64, exact: bool) -> Self {
         // The frequency along the axis is √(ω0² + 2ω0δ).
         let split = (1.0 + 2.0 * forces.anisotropy / omega0).sqrt() - 1.0;
         let (damping, turn) = (forces.damping / omega0, forces.rotation[1] / omega0);
@@ -164,18 +159,25 @@ impl AveragedEquations {
         }
     }
 
-    /// The mean actions of a swing that has these at this azimuth and phase: without what the horizontal rotation adds
-    /// for a part of the swing. It does no work, so that ωδJ_Θ + ΩδJ_ψ = 0.
+    /// The mean actions of a swing that has these at this azimuth and phase: without what the horizontal rotation adds for
+    /// a part of the swing, and without the half of a push by which the actions lie above their mean after it, and below
+    /// it before the next. The rotation does no work, so that ωδJ_Θ + ΩδJ_ψ = 0.
     pub(super) fn settled(&self, actions: [f64; 2], azimuth: f64, phase: f64) -> [f64; 2] {
-        if self.sway == 0.0 || !self.exact {
-            return actions;
-        }
-        let Some(swing) = Swing::of(actions) else { return actions };
+        let Some(swing) = Swing::of(actions).filter(|_| self.exact) else { return actions };
         let form = swing.form.map(|number| number.value);
-        let swayed = Complex64::cis(azimuth) * form.swayed(Complex64::cis(phase));
-        let spin = -self.sway * swayed.im;
-        let ratio = form.precession / form.frequency;
-        [actions[0] - 0.5 * (1.0 - ratio) * spin, actions[1] + 0.5 * (1.0 + ratio) * spin]
+        let mut added = [0.0; 2];
+        if self.sway != 0.0 {
+            let swayed = Complex64::cis(azimuth) * form.swayed(Complex64::cis(phase));
+            let spin = -self.sway * swayed.im;
+            let ratio = form.precession / form.frequency;
+            added = [0.5 * (1.0 - ratio) * spin, -0.5 * (1.0 + ratio) * spin];
+        }
+        if let Some(push) = Push::of(&self.drive, &swing) {
+            let since = ((phase - push.phase) / PI).rem_euclid(1.0);
+            let more = 0.5 * push.action * PI / form.frequency * (0.5 - since);
+            added = added.map(|added| added + more);
+        }
+        [actions[0] - added[0], actions[1] - added[1]]
     }
 
     /// Rates of the state; NaN where the bob would be level with the support.
@@ -217,9 +219,8 @@ impl AveragedEquations {
         if linear != 0.0 {
             // Against the ground the air of the swing blows with iΩ_z(x + iy).
             let blown = |action: f64, more: f64, less: f64| {
-                let values = form.sum(|(order, ahead, behind)| {
-                    ahead * ahead * (order + more) + behind * behind * -(order + less)
-                });
+                let values = form
+                    .sum(|(order, ahead, behind)| ahead * ahead * (order + more) + behind * behind * -(order + less));
                 if action > 0.0 { 0.5 * values.value / action } else { more }
             };
             let [first, second] = circles.actions();
@@ -313,7 +314,7 @@ impl AveragedEquations {
     }
 
     fn pushed(&self, circles: &Circles, swing: &Swing) -> Option<Changes> {
-        let Push { action, along } = Push::of(&self.drive, swing)?;
+        let Push { action, along, .. } = Push::of(&self.drive, swing)?;
         let &Circles { p, q, .. } = circles;
         let floor = 1e-16 * (p + q);
         let (p, q) = (p.max(floor), q.max(floor));
@@ -337,11 +338,15 @@ impl AveragedEquations {
             let [first, second] = swing.along_actions(harmonic);
             first * sizes[0] + second * sizes[1]
         };
-        swing.form.harmonics().map(|(order, ahead, behind)| {
-            let turn = Complex64::cis(order * phase);
-            turn * Complex64::new(changed(ahead), ahead.value * (turned + order * phased))
-                + turn.conj() * Complex64::new(changed(behind), behind.value * (turned - order * phased))
-        }).sum()
+        swing
+            .form
+            .harmonics()
+            .map(|(order, ahead, behind)| {
+                let turn = Complex64::cis(order * phase);
+                turn * Complex64::new(changed(ahead), ahead.value * (turned + order * phased))
+                    + turn.conj() * Complex64::new(changed(behind), behind.value * (turned - order * phased))
+            })
+            .sum()
     }
 
     /// The plane's rate by its causes: the Earth, the ideal motion, the suspension's stiffness, its damping, the drive.

@@ -1,11 +1,12 @@
 //! The averaged motion of a real pendulum: a turning ellipse whose size, form and plane change slowly.
 //!
 //! [`closed_form`] is one swing, [`swing`] finds it by its actions; [`equations`] say how these change, with the averages
-//! in [`drag`] and [`push`]; [`stepper`] integrates them with the coefficients in [`tableau`].
+//! in [`drag`] and [`push`]; [`limits`] say how far they hold; [`stepper`] integrates them with the coefficients in [`tableau`].
 
 mod closed_form;
 mod drag;
 mod equations;
+mod limits;
 mod push;
 mod stepper;
 mod swing;
@@ -43,6 +44,7 @@ const MOST_STEPS: usize = 5000;
 #[derive(Clone, Debug)]
 pub struct EnvelopeMotion {
     pendulum: Pendulum,
+    given: (Launch, Forces, Drive),
     equations: AveragedEquations,
     start: Moment,
     omega0: f64,
@@ -126,7 +128,7 @@ impl EnvelopeMotion {
             ))
         })?;
         let ideal = (exact && equations.is_ideal()).then_some(motion);
-        Ok(Self { pendulum, equations, start, omega0, ideal })
+        Ok(Self { pendulum, given: (launch, forces, drive), equations, start, omega0, ideal })
     }
 
     /// The same with the intrinsic precession Ω multiplied by a factor: what a support that stiffens with amplitude, or a
@@ -155,13 +157,6 @@ impl EnvelopeMotion {
     ) -> Result<(), Halt> {
         assert_eq!(what.width() * times.len(), out.len(), "so many numbers to a time");
         both_ways(times, |side, order| self.sweep(side, order, what, times, out, walks, stop))
-    }
-
-    /// By which share of itself each force changes a swing of the launch's size while its phase grows by 1: linear and
-    /// quadratic drag, the suspension's stiffness and damping, the drive.
-    pub fn strengths(&self) -> [f64; 5] {
-        let Circles { p, q, .. } = Circles::of(&self.start.state);
-        self.equations.strengths(p + q)
     }
 
     /// The times in s between which the motion holds, looked for up to `within` s and some thousand steps to both sides.
@@ -250,7 +245,9 @@ impl EnvelopeMotion {
         for (done, index) in order.enumerate() {
             let out = &mut out[width * index..width * (index + 1)];
             match (what, &self.ideal) {
-                (Envelope::Point(quantity), Some(ideal)) => ideal.fill(quantity, Times::Scattered(&times[index..=index]), out),
+                (Envelope::Point(quantity), Some(ideal)) => {
+                    ideal.fill(quantity, Times::Scattered(&times[index..=index]), out)
+                }
                 _ => {
                     let time = times[index] * self.omega0;
                     self.write(what, time, &self.start.after(time, &slope), out);
@@ -323,12 +320,7 @@ impl EnvelopeMotion {
 ///
 /// Mean, not osculating: the velocity is that of the ideal motion and what the forces add to it, by iteration. For
 /// forces linear in place and velocity that is exact.
-fn mean(
-    pendulum: &Pendulum,
-    equations: &AveragedEquations,
-    [x, y]: [f64; 2],
-    velocity: [f64; 2],
-) -> Option<Moment> {
+fn mean(pendulum: &Pendulum, equations: &AveragedEquations, [x, y]: [f64; 2], velocity: [f64; 2]) -> Option<Moment> {
     let speed = pendulum.length * pendulum.angular_frequency();
     let mut added = Complex64::ZERO;
     let mut moment = osculating(pendulum, equations, [x, y], velocity)?;
@@ -340,7 +332,8 @@ fn mean(
         let next = direction * equations.drift(&circles, &swing, 0.5 * (ahead - behind));
         let moved = (next - added).norm();
         added = next;
-        moment = osculating(pendulum, equations, [x, y], [velocity[0] - speed * added.re, velocity[1] - speed * added.im])?;
+        moment =
+            osculating(pendulum, equations, [x, y], [velocity[0] - speed * added.re, velocity[1] - speed * added.im])?;
         if moved <= 1e-16 {
             break;
         }
@@ -360,7 +353,8 @@ fn mean(
     let turned = [0, 1].map(|k| if target[k].norm() > 0.0 { (found[k] / target[k]).arg() } else { 0.0 });
     let angles = [moment.angles[0] + turned[0], moment.angles[1] + turned[1]];
     let [ahead, behind] = angles;
-    let actions = equations.settled(found.map(|value| value.norm_sqr()), 0.5 * (ahead + behind), 0.5 * (ahead - behind));
+    let actions =
+        equations.settled(found.map(|value| value.norm_sqr()), 0.5 * (ahead + behind), 0.5 * (ahead - behind));
     Some(Moment::of(actions.map(|action| action.max(0.0).sqrt()), angles))
 }
 

@@ -11,6 +11,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Push {
+    /// Θ at the push, from an outer turning point on.
+    pub(super) phase: f64,
     /// Rate of J_Θ.
     pub(super) action: f64,
     /// What the phases of A± lose and gain: push·∂ρ/∂ ln X and push·∂ρ/∂ ln Y, as rates.
@@ -48,7 +50,7 @@ impl Push {
         let along = along.map(|along| frequency / PI * push * (outward.conj() * along).re);
         let depth_squared = 1.0 - distance * distance;
         let gain = push * (outward.conj() * rate).re + 0.5 * push * push * depth_squared / frequency;
-        Some(Self { action: frequency / PI * gain, along })
+        Some(Self { phase, action: frequency / PI * gain, along })
     }
 }
 

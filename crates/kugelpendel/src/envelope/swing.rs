@@ -72,7 +72,10 @@ impl Swing {
             let determinant = a * d - b * c;
             let inverse = [[d / determinant, -b / determinant], [-c / determinant, a / determinant]];
             let missing = [first / found_first.value - 1.0, second / found_second.value - 1.0];
-            let step = inverse.map(|[to_first, to_second]| to_first * missing[0] + to_second * missing[1]);
+            let mut step = inverse.map(|[to_first, to_second]| to_first * missing[0] + to_second * missing[1]);
+            if x == y && first == second {
+                step[1] = step[0]; // in a plane to the last bit
+            }
             let largest = step[0].abs().max(step[1].abs());
             if largest < SMALL {
                 let form = form.map(|number| Dual {

@@ -138,12 +138,10 @@ fn derivatives_are_differences() {
                 [(m.value, swing.along_actions(m)), (r.value, swing.along_actions(r))]
             };
             let here = of(x, y);
-            for (k, (up, down)) in [
-                (of(x * (1.0 + step), y), of(x * (1.0 - step), y)),
-                (of(x, y * (1.0 + step)), of(x, y * (1.0 - step))),
-            ]
-            .into_iter()
-            .enumerate()
+            for (k, (up, down)) in
+                [(of(x * (1.0 + step), y), of(x * (1.0 - step), y)), (of(x, y * (1.0 + step)), of(x, y * (1.0 - step)))]
+                    .into_iter()
+                    .enumerate()
             {
                 for n in 0..2 {
                     let difference = (up[n].0 - down[n].0) / (2.0 * step);
