@@ -307,7 +307,7 @@ def examples_table() -> str:
     for name in EXAMPLES:
         job = read_job(Path(__file__).parent.parent / "examples" / f"{name}.toml")
         found = apart(
-            envelope(job.setup, job.launch), lambda job=job: real_motion(job), job.grid.duration
+            envelope(job), lambda job=job: real_motion(job), job.grid.duration
         )
         hours = f"{job.grid.duration / HOUR:g} h"
         rows.append((f"`{name}.toml`", hours, *(shown(value) for value in found[:3])))

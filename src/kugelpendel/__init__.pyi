@@ -3,6 +3,11 @@ from .builder import Answer as Answer
 from .builder import Check as Check
 from .builder import Design as Design
 from .builder import design as design
+from .errors import EventNotFound as EventNotFound
+from .errors import InvalidInput as InvalidInput
+from .errors import KugelpendelError as KugelpendelError
+from .errors import MissingExtra as MissingExtra
+from .errors import MotionEnded as MotionEnded
 from .motion import CubicMotion as CubicMotion
 from .motion import EnvelopeMotion as EnvelopeMotion
 from .motion import ExactMotion as ExactMotion
@@ -25,7 +30,7 @@ from .observables import validity_map as validity_map
 from .parameters import Bob as Bob
 from .parameters import Drag as Drag
 from .parameters import Drive as Drive
-from .parameters import InvalidInput as InvalidInput
+from .parameters import Forces as Forces
 from .parameters import Launch as Launch
 from .parameters import Pendulum as Pendulum
 from .parameters import Site as Site
@@ -42,10 +47,15 @@ __all__ = [
     "Drag",
     "Drive",
     "EnvelopeMotion",
+    "EventNotFound",
     "ExactMotion",
+    "Forces",
     "InvalidInput",
+    "KugelpendelError",
     "Launch",
     "LinearMotion",
+    "MissingExtra",
+    "MotionEnded",
     "OlssonMotion",
     "Pendulum",
     "PlaneMotion",

@@ -1,12 +1,14 @@
 //! Averaged motions: flat arrays in, flat arrays out.
 
-use crate::columns::{Columns, Numbers, launcher, new_array};
-use crate::real::{GROUP, Signal, drive, forces, lock, problems};
-use kugelpendel::{Envelope, EnvelopeMotion, EnvelopeWalks, Halt, Invalid, Pendulum, Quantity};
+use crate::columns::{Numbers, new_array};
+use crate::given::{Problems, Told, bad, each_case, problems, tell};
+use crate::real::{GROUP, Signal, lock};
+use kugelpendel::{Envelope, EnvelopeMotion, EnvelopeWalks, Halt, Invalid, Quantity, in_parallel};
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
+use std::collections::HashMap;
 use std::sync::Mutex;
 
 /// Motions in a row, each with how far it has been integrated.
@@ -25,35 +27,24 @@ impl EnvelopeMotions {
         count: usize,
         pendulum: Vec<PyReadonlyArray1<'_, f64>>,
         launch: (&str, Vec<PyReadonlyArray1<'_, f64>>),
-        forces: Vec<PyReadonlyArray1<'_, f64>>,
-        drive: (&str, Vec<PyReadonlyArray1<'_, f64>>),
+        acting: HashMap<String, PyReadonlyArray1<'_, f64>>,
         exact: bool,
     ) -> PyResult<Self> {
-        let (width, make) = launcher(launch.0)
-            .ok_or_else(|| PyValueError::new_err(format!("there is no launch of kind {:?}", launch.0)))?;
-        let pendulum = Columns::checked(&pendulum, 3, count)?;
-        let values = Columns::checked(&launch.1, width, count)?;
-        let acting = Columns::checked(&forces, 8, count)?;
-        let driving = Columns::checked(&drive.1, 2, count)?;
-        let cases = (0..count).map(|index| {
-            let [length, gravity, mass] = pendulum.row(index);
-            let pendulum = Pendulum { length, gravity, mass };
-            let driven = self::drive(drive.0, &driving, index)?;
-            Ok((pendulum, make(&values, index), self::forces(&acting, index), driven))
-        });
-        let cases = cases.collect::<PyResult<Vec<_>>>()?;
-        let motions = py.detach(|| {
-            let made = cases.into_par_iter().with_min_len(64);
-            made.map(|(pendulum, launch, forces, drive)| EnvelopeMotion::new(pendulum, launch, forces, drive, exact))
-                .collect()
-        });
+        let motions = each_case(py, count, &pendulum, launch.0, &launch.1, &acting, |pendulum, launch, acting| {
+            EnvelopeMotion::under(&acting, pendulum, launch, exact)
+        })?;
         let walks = (0..count).map(|_| Mutex::default()).collect();
         Ok(Self { motions, walks })
     }
 
-    /// Index and sentence of each bad case.
-    fn problems(&self) -> Vec<(usize, String)> {
-        problems(&self.motions)
+    /// Index of each bad case and the number of its kind.
+    fn problems<'py>(&self, py: Python<'py>) -> Problems<'py> {
+        problems(py, bad(&self.motions))
+    }
+
+    /// What is wrong with one case.
+    fn problem(&self, index: usize) -> Option<Told> {
+        self.motions[index].as_ref().err().map(tell)
     }
 
     /// "position", "velocity", "semi_axes", "azimuth", "phase" or "rates", and when each motion has ended before one of
@@ -92,9 +83,10 @@ impl EnvelopeMotions {
             if let [end] = &mut ends[..] {
                 return row(0, out, end);
             }
-            for (group, (out, ends)) in out.chunks_mut(size * GROUP).zip(ends.chunks_mut(GROUP)).enumerate() {
+            let groups = out.chunks_mut(GROUP * size).zip(ends.chunks_mut(GROUP)).enumerate();
+            for (group, (out, ends)) in groups {
                 let rows = out.par_chunks_mut(size).zip(ends).enumerate();
-                rows.for_each(|(index, (out, end))| row(group * GROUP + index, out, end));
+                in_parallel(|| rows.for_each(|(index, (out, end))| row(GROUP * group + index, out, end)));
                 if signal.arrived() {
                     return;
                 }
@@ -131,7 +123,10 @@ impl EnvelopeMotions {
             let span = motion.as_ref().ok().and_then(|motion| motion.span(within, &|| signal.arrived()).ok());
             span.unwrap_or([f64::NAN; 2])
         };
-        let spans: Vec<_> = py.detach(|| self.motions.par_iter().flat_map_iter(span).collect());
+        let spans: Vec<_> = match &self.motions[..] {
+            [motion] => py.detach(|| span(motion).to_vec()), // on this thread, which is the one that sees a signal
+            motions => py.detach(|| in_parallel(|| motions.par_iter().flat_map_iter(span).collect())),
+        };
         signal.raised()?;
         Ok(spans.into_pyarray(py))
     }

@@ -4,28 +4,25 @@
 mod columns;
 mod envelope;
 mod exact;
+mod given;
 mod harmonic;
 mod integrated;
 mod real;
 
-use kugelpendel::Pendulum;
 use pyo3::prelude::*;
-
-/// The sentence that says what is wrong with a pendulum, if anything is.
-#[pyfunction]
-fn pendulum_problem(length: f64, gravity: f64, mass: f64) -> Option<String> {
-    Pendulum { length, gravity, mass }.check().err().map(|invalid| invalid.to_string())
-}
 
 /// The compiled part of the Python package.
 #[pymodule]
 mod _core {
+    /// Ω_E, rad/s: of the Earth against the stars.
     #[pymodule_export]
-    use super::pendulum_problem;
+    const ROTATION: f64 = kugelpendel::ROTATION;
     #[pymodule_export]
     use crate::envelope::EnvelopeMotions;
     #[pymodule_export]
     use crate::exact::ExactMotions;
+    #[pymodule_export]
+    use crate::given::{derived, launch_problem, problem, problem_kinds};
     #[pymodule_export]
     use crate::harmonic::HarmonicMotions;
     #[pymodule_export]

@@ -1,11 +1,13 @@
 //! Real motions: flat arrays in, flat arrays out.
 
-use crate::columns::{Columns, Numbers, launcher, new_array};
-use kugelpendel::{Drive, Event, Forces, Halt, Invalid, Pendulum, Quantity, RealMotion, Thread, Walks};
+use crate::columns::{Numbers, new_array};
+use crate::given::{Problems, Told, bad, each_case, problems, tell};
+use kugelpendel::{Event, Halt, Invalid, Quantity, RealMotion, Thread, Walks, in_parallel};
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
+use std::collections::HashMap;
 use std::sync::Mutex;
 
 /// Motions that are integrated at once before anyone asks for an interruption.
@@ -18,38 +20,17 @@ pub(crate) struct RealMotions {
     walks: Vec<Mutex<Walks>>,
 }
 
-/// The forces of one row: damping, quadratic drag, horizontal and vertical rotation, anisotropy, its axis, damping
-/// anisotropy, its axis.
-pub(crate) fn forces(columns: &Columns<'_>, index: usize) -> Forces {
-    let [damping, quadratic, horizontal, vertical, anisotropy, axis, damping_anisotropy, damping_axis] =
-        columns.row(index);
-    let rotation = [horizontal, vertical];
-    Forces { damping, quadratic, rotation, anisotropy, axis, damping_anisotropy, damping_axis }
-}
-
-/// The drive of one row: its push, and the phase or the radius, as `kind` says.
-pub(crate) fn drive(kind: &str, columns: &Columns<'_>, index: usize) -> PyResult<Drive> {
-    let [push, when] = columns.row(index);
-    match kind {
-        "" => Ok(Drive::Absent),
-        "phase" => Ok(Drive::Phase { push, phase: when }),
-        "radius" => Ok(Drive::Radius { push, radius: when }),
-        _ => Err(PyValueError::new_err(format!("there is no drive by {kind:?}"))),
-    }
-}
-
 #[pymethods]
 impl RealMotions {
-    /// Columns, each of length 1 or `count`: of the pendulum length, gravity, mass; of the launch as its kind has them;
-    /// eight of the forces; of the drive push and phase or radius.
+    /// Columns, each of length 1 or `count`: of the pendulum length, gravity, mass; of the launch as its kind has them; of
+    /// what acts by their names, such as "drag.linear".
     #[new]
-    #[allow(clippy::too_many_arguments)]
     fn new(
+        py: Python<'_>,
         count: usize,
         pendulum: Vec<PyReadonlyArray1<'_, f64>>,
         launch: (&str, Vec<PyReadonlyArray1<'_, f64>>),
-        forces: Vec<PyReadonlyArray1<'_, f64>>,
-        drive: (&str, Vec<PyReadonlyArray1<'_, f64>>),
+        acting: HashMap<String, PyReadonlyArray1<'_, f64>>,
         thread: &str,
         tolerance: f64,
     ) -> PyResult<Self> {
@@ -59,27 +40,21 @@ impl RealMotions {
             "rod" => Thread::Rod,
             _ => return Err(PyValueError::new_err(format!("there is no thread that {thread:?}"))),
         };
-        let (width, make) = launcher(launch.0)
-            .ok_or_else(|| PyValueError::new_err(format!("there is no launch of kind {:?}", launch.0)))?;
-        let pendulum = Columns::checked(&pendulum, 3, count)?;
-        let values = Columns::checked(&launch.1, width, count)?;
-        let acting = Columns::checked(&forces, 8, count)?;
-        let driving = Columns::checked(&drive.1, 2, count)?;
-        let motion = |index: usize| -> PyResult<Result<RealMotion, Invalid>> {
-            let [length, gravity, mass] = pendulum.row(index);
-            let pendulum = Pendulum { length, gravity, mass };
-            let driven = self::drive(drive.0, &driving, index)?;
-            let launch = make(&values, index);
-            Ok(RealMotion::new(pendulum, launch, self::forces(&acting, index), driven, thread, tolerance))
-        };
-        let motions = (0..count).map(motion).collect::<PyResult<Vec<_>>>()?;
+        let motions = each_case(py, count, &pendulum, launch.0, &launch.1, &acting, |pendulum, launch, acting| {
+            RealMotion::under(&acting, pendulum, launch, thread, tolerance)
+        })?;
         let walks = (0..count).map(|_| Mutex::default()).collect();
         Ok(Self { motions, walks })
     }
 
-    /// Index and sentence of each bad case.
-    fn problems(&self) -> Vec<(usize, String)> {
-        problems(&self.motions)
+    /// Index of each bad case and the number of its kind.
+    fn problems<'py>(&self, py: Python<'py>) -> Problems<'py> {
+        problems(py, bad(&self.motions))
+    }
+
+    /// What is wrong with one case.
+    fn problem(&self, index: usize) -> Option<Told> {
+        self.motions[index].as_ref().err().map(tell)
     }
 
     /// Positions and when each motion has ended before the last of the times, NaN where it has not.
@@ -161,12 +136,6 @@ impl Signal {
     }
 }
 
-/// Index and sentence of each bad case.
-pub(crate) fn problems<M>(motions: &[Result<M, Invalid>]) -> Vec<(usize, String)> {
-    let bad = |(index, motion): (usize, &Result<M, Invalid>)| Some((index, motion.as_ref().err()?.to_string()));
-    motions.iter().enumerate().filter_map(bad).collect()
-}
-
 pub(crate) fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
 }
@@ -201,7 +170,7 @@ impl RealMotions {
             let groups = out.chunks_mut(GROUP * size).zip(ends.chunks_mut(GROUP)).enumerate();
             for (group, (out, ends)) in groups {
                 let rows = out.par_chunks_mut(size).zip(ends).enumerate();
-                rows.for_each(|(index, (out, end))| row(GROUP * group + index, out, end));
+                in_parallel(|| rows.for_each(|(index, (out, end))| row(GROUP * group + index, out, end)));
                 if signal.arrived() {
                     return;
                 }

@@ -30,15 +30,23 @@ mod tests;
 pub use envelope::{Envelope, EnvelopeMotion, EnvelopeWalks};
 pub use exact::ensemble::Ensemble;
 pub use exact::motion::ExactMotion;
+pub use given::acting::Acting;
+pub use given::bob::Bob;
+pub use given::drag::{Drag, StillAir};
 pub use given::forces::{Drive, Forces, Thread};
-pub use given::invalid::Invalid;
-pub use given::launch::{Launch, TOLERANCE};
+pub use given::invalid::{Invalid, Seen};
+pub use given::launch::{FASTEST, Launch, SMALLEST, TOLERANCE};
 pub use given::pendulum::Pendulum;
+pub use given::site::{ROTATION, Site};
+pub use given::suspension::Suspension;
+pub use given::wire::Wire;
 pub use numbers::arithmetic::fused;
 pub use paper::equations::Equation;
 pub use paper::harmonic::{HarmonicMotion, MAX_POWER, Powers};
 pub use paper::integrated::IntegratedMotion;
 pub use real::motion::{Halt, RealMotion, Stop, Walks};
+#[cfg(feature = "threads")]
+pub use sampling::threads::in_parallel;
 pub use taylor::events::Event;
 
 pub use exact::spectrum::{Harmonic, Spectrum};

@@ -8,7 +8,8 @@ from kugelpendel.motion._exact import ExactMotion as ExactMotion
 from kugelpendel.motion._linear import LinearMotion as LinearMotion
 from kugelpendel.motion._olsson import OlssonMotion as OlssonMotion
 from kugelpendel.motion._plane import PlaneMotion as PlaneMotion
-from kugelpendel.motion._pumping import refuse_pumping as refuse_pumping
+from kugelpendel.motion._problems import Problems as Problems
+from kugelpendel.motion._problems import Reasons as Reasons
 from kugelpendel.motion._real import RealMotion as RealMotion
 from kugelpendel.motion._series import SeriesMotion as SeriesMotion
 from kugelpendel.motion._spectrum import Spectrum as Spectrum

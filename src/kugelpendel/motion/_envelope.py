@@ -4,28 +4,19 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass, fields
-from functools import cached_property
+from functools import cached_property, partial
 from math import degrees
+from typing import Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kugelpendel import _core
-from kugelpendel.motion._pumping import refuse_pumping
-from kugelpendel.motion._surrounded import Surrounded
-from kugelpendel.motion._surroundings import Surroundings
+from kugelpendel.errors import InvalidInput, MotionEnded
+from kugelpendel.motion._forced import ForcedMotion
+from kugelpendel.motion._problems import Problems, Reasons
 from kugelpendel.motion._times import checked_grid, checked_times
-from kugelpendel.parameters import (
-    Bob,
-    Drag,
-    Drive,
-    InvalidInput,
-    Launch,
-    Numbers,
-    Pendulum,
-    Site,
-    Suspension,
-)
+from kugelpendel.parameters import ForceParts, Forces, Launch, Numbers, Pendulum
 
 _AHEAD = 1e8
 """s: how far an end of the motion is looked for, some three years."""
@@ -89,7 +80,7 @@ class TurningRates:
         return self.earth + self.intrinsic + self.anisotropy + self.damping + self.drive
 
 
-class EnvelopeMotion(Surrounded):
+class EnvelopeMotion(ForcedMotion):
     """A real pendulum, averaged over its swings: an ellipse that turns, shrinks and widens.
 
     What `RealMotion` integrates swing by swing goes in some dozens of steps here, over days. Arrays
@@ -97,11 +88,11 @@ class EnvelopeMotion(Surrounded):
 
     Parameters
     ----------
-    pendulum, launch, site, drag, suspension, bob, drive
+    pendulum, launch, forces, site, drag, suspension, bob, drive
         As for `RealMotion`; the horizontal part of the Earth's rotation averages out.
     exact
-        Whether ω and Ω are those of the closed form, and linear drag is averaged at any amplitude;
-        otherwise the first-order formulas, Olsson's (25) and (26).
+        Whether every force is averaged over the exact swing, at any amplitude; otherwise over
+        harmonic swings, with Olsson's (25) and (26) for their rates.
 
     Raises
     ------
@@ -118,9 +109,10 @@ class EnvelopeMotion(Surrounded):
 
     Notes
     -----
-    Semi-axes are the turning radii of the mean motion: that whose place and rate of place at t = 0
-    are those of the launch. What is left out is of second order in the forces, and for quadratic
-    drag, the suspension and the drive of relative order (a/l)²; `trust` has the numbers.
+    Semi-axes are the turning radii of the mean motion. A drive's pushes and the horizontal part of
+    the Earth's rotation come and go within a swing, about that mean; but for these, place and
+    velocity at t = 0 are those of the launch. What is left out is of second order in the forces;
+    `trust` says how far the azimuth may be off over a day (docs/averaging.py measures it).
     Sources: the averages are in docs/conventions.md; Olsson (1981), eq. (25), (26).
     """
 
@@ -128,35 +120,23 @@ class EnvelopeMotion(Surrounded):
         self,
         pendulum: Pendulum,
         launch: Launch,
+        forces: Forces | None = None,
         *,
-        site: Site | None = None,
-        drag: Drag | None = None,
-        suspension: Suspension | None = None,
-        bob: Bob | None = None,
-        drive: Drive | None = None,
         exact: bool = True,
+        **parts: Unpack[ForceParts],
     ):
-        around = Surroundings(pendulum, launch, site, drag, suspension, bob, drive)
-        refuse_pumping(around.effective_pendulum, launch, drag, drive)
-        self._around = around
+        self._give(pendulum, launch, forces, parts)
         self._exact = bool(exact)
-        self._motions = _core.EnvelopeMotions(
-            around.count,
-            around.pendulum_columns,
-            (launch.kind, around.launch_columns),
-            around.forces,
-            (around.drive_kind, around.drive_columns),
-            self._exact,
-        )
-        if self.shape == ():
-            for _, sentence in self._motions.problems():
-                raise InvalidInput(sentence)
+        self._motions = _core.EnvelopeMotions(*self._columns, self._exact)
+        if self.shape == () and (problem := self._motions.problem(0)):
+            raise InvalidInput.told(problem)
         name, strength = self._strongest
         if strength > _WARN:
             warnings.warn(self._caution(name, strength), stacklevel=2)
 
     def __reduce__(self) -> tuple[object, ...]:
-        return (_again, (self._around, self._exact))
+        again = partial(EnvelopeMotion, exact=self._exact)
+        return (again, (self.pendulum, self.launch, self.forces))
 
     @property
     def exact(self) -> bool:
@@ -177,9 +157,19 @@ class EnvelopeMotion(Surrounded):
         return (max(first, 0.0) if self.drive is not None else first, last)
 
     @cached_property
-    def reason(self) -> NDArray[np.str_]:
+    def problems(self) -> Problems:
+        """Index and sentence of each bad case of the ensemble; empty where all are good."""
+        return Problems(self._motions, self.shape)
+
+    @property
+    def status(self) -> NDArray[np.uint8]:
+        """0 for a good case, else the number of the kind of its problem: shape `shape`."""
+        return self.problems.status
+
+    @property
+    def reason(self) -> Reasons:
         """Why a case of the ensemble is bad, "" where it is good: shape `shape`."""
-        return self._reasons(self._motions.problems())
+        return self.problems.reasons
 
     @cached_property
     def _strongest(self) -> tuple[str, float]:
@@ -206,7 +196,7 @@ class EnvelopeMotion(Surrounded):
         name, strength = self._strongest
         error = self._motions.azimuth_error(_DAY)
         if strength == 0.0 and error == 0.0:
-            return "Swings below the support; without forces, or under a turning ground, exact."
+            return "Swings below the support; without forces, exact."
         wavering = ""
         if strength > 0.0:
             wavering = (
@@ -251,8 +241,8 @@ class EnvelopeMotion(Surrounded):
         """Position from the support, m, z down: shape (*shape, *t.shape, 3).
 
         On the exact motion between the turning radii of that time. Raises InvalidInput for times
-        that are not finite, and for a single motion out of its span; in an ensemble it is NaN
-        there.
+        that are not finite, and MotionEnded for a single motion out of its span; in an ensemble it
+        is NaN there.
         """
         return self._read("position", t, 3)
 
@@ -265,11 +255,11 @@ class EnvelopeMotion(Surrounded):
 
     def sample(self, start: float, step: float, count: int) -> Numbers:
         """Positions at start + step·k: m, shape (*shape, count, 3); errors as in `position`."""
-        size = checked_grid(start, step, count, 3 * self._around.count)
+        size = checked_grid(start, step, count, 3 * self._count)
         return self.position(float(start) + float(step) * np.arange(size))
 
     def _read(self, what: str, t: ArrayLike, *tail: int) -> Numbers:
-        times = checked_times(t, (tail[0] if tail else 1) * self._around.count)
+        times = checked_times(t, (tail[0] if tail else 1) * self._count)
         if self.drive is not None and times.size and times.min() < 0:
             raise InvalidInput(
                 f"A driven pendulum cannot be followed back before its launch, but asked for is "
@@ -277,22 +267,6 @@ class EnvelopeMotion(Surrounded):
             )
         flat, ends = self._motions.read(what, times.ravel())
         if self.shape == () and np.isfinite(ends[0]):
-            raise InvalidInput(
-                f"The averaged motion ends at {ends[0]:.6g} s, where the bob comes level with the "
-                f"support; asked for are times from {times.min():.6g} s to {times.max():.6g} s. "
-                f"Keep to its span, or use RealMotion."
-            )
+            asked = {"first": (float(times.min()), "s"), "last": (float(times.max()), "s")}
+            raise MotionEnded.of("averaged_to_support", time=(float(ends[0]), "s"), **asked)
         return flat.reshape((*self.shape, *times.shape, *tail))
-
-
-def _again(around: Surroundings, exact: bool) -> EnvelopeMotion:
-    return EnvelopeMotion(
-        around.pendulum,
-        around.launch,
-        site=around.site,
-        drag=around.drag,
-        suspension=around.suspension,
-        bob=around.bob,
-        drive=around.drive,
-        exact=exact,
-    )

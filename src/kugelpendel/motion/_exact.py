@@ -10,6 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kugelpendel import _core
+from kugelpendel.errors import InvalidInput, require_extra
+from kugelpendel.motion._problems import Problems, Reasons
 from kugelpendel.motion._spectrum import Spectrum
 from kugelpendel.motion._times import (
     check_memory,
@@ -18,7 +20,7 @@ from kugelpendel.motion._times import (
     checked_grid,
     checked_times,
 )
-from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars
+from kugelpendel.parameters import Launch, Numbers, Pendulum, Scalars, column, require_given
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -57,6 +59,7 @@ class ExactMotion:
     """
 
     def __init__(self, pendulum: Pendulum, launch: Launch):
+        require_given("ExactMotion", pendulum, launch)
         self._pendulum = pendulum
         self._launch = launch
         try:
@@ -68,13 +71,12 @@ class ExactMotion:
             ) from None
         self._motions = _core.ExactMotions(
             self._count,
-            [self._column(value) for value in pendulum.values],
+            [column(value, self._shape) for value in pendulum.values],
             launch.kind,
-            [self._column(value) for value in launch.values],
+            launch.columns(self._shape),
         )
-        if self._shape == ():
-            for _, sentence in self._motions.problems():
-                raise InvalidInput(sentence)
+        if self._shape == () and (problem := self._motions.problem(0)):
+            raise InvalidInput.told(problem)
 
     def __reduce__(self) -> tuple[type[ExactMotion], tuple[Pendulum, Launch]]:
         return (ExactMotion, (self._pendulum, self._launch))
@@ -100,12 +102,19 @@ class ExactMotion:
         return (-np.inf, np.inf)
 
     @cached_property
-    def reason(self) -> NDArray[np.str_]:
+    def problems(self) -> Problems:
+        """Index and sentence of each bad case of the ensemble; empty where all are good."""
+        return Problems(self._motions, self.shape)
+
+    @property
+    def status(self) -> NDArray[np.uint8]:
+        """0 for a good case, else the number of the kind of its problem: shape `shape`."""
+        return self.problems.status
+
+    @property
+    def reason(self) -> Reasons:
         """Why a case of the ensemble is bad, "" where it is good: shape `shape`."""
-        sentences = [""] * self._count
-        for index, sentence in self._motions.problems():
-            sentences[index] = sentence
-        return np.array(sentences, dtype=np.str_).reshape(self._shape)
+        return self.problems.reasons
 
     @property
     def trust(self) -> str:
@@ -240,12 +249,11 @@ class ExactMotion:
         """
         n = checked_count(n, 1, "The count n of pairs of harmonics")
         check_memory(n, 9 * self._count)
-        (order, frequency, amplitude), (order_z, frequency_z, amplitude_z), problems = (
+        (order, frequency, amplitude), (order_z, frequency_z, amplitude_z), problem = (
             self._motions.spectrum(n)
         )
-        if self._shape == ():
-            for _, sentence in problems:
-                raise InvalidInput(sentence)
+        if self._shape == () and problem:
+            raise InvalidInput.told(problem)
         plan, vertical = (*self._shape, 2 * n), (*self._shape, n + 1)
         return Spectrum(
             order.reshape(plan),
@@ -262,6 +270,7 @@ class ExactMotion:
         Dimensions (case_0, …, time, component); t in s, one axis. Needs xarray, which the extra
         [run] brings. Errors as in `position`.
         """
+        require_extra("run", "to_xarray", "xarray")
         import xarray as xr  # only here: the library itself does without
 
         times = self._times(t, 7)
@@ -288,11 +297,6 @@ class ExactMotion:
     @property
     def _count(self) -> int:
         return prod(self._shape)
-
-    def _column(self, value: Scalars) -> Numbers:
-        if isinstance(value, float):
-            return np.array([value])
-        return np.ascontiguousarray(np.broadcast_to(value, self._shape).ravel())
 
     def _times(self, t: ArrayLike, numbers_each: int) -> Numbers:
         return checked_times(t, numbers_each * self._count)

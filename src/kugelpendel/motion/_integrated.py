@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kugelpendel import _core
+from kugelpendel.errors import MotionEnded
 from kugelpendel.motion._exact import ExactMotion
 from kugelpendel.motion._times import checked_grid, checked_times
 from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum
@@ -108,9 +109,7 @@ class IntegratedMotion(ABC):
                 pendulum, self._equation, start, times.ravel(), velocity
             )
             if end is not None and self.shape == ():
-                raise InvalidInput(
-                    f"{type(self).__name__} ends at {end:.6g} s, where the bob reaches the height "
-                    f"of the support; asked for are times from {times.min():.6g} s to "
-                    f"{times.max():.6g} s. Keep to its span, or use ExactMotion."
-                )
+                asked = {"first": (float(times.min()), "s"), "last": (float(times.max()), "s")}
+                name = type(self).__name__
+                raise MotionEnded.of("level_with_support", time=(end, "s"), motion=name, **asked)
         return rows.reshape(*self.shape, *times.shape, 3)

@@ -2,30 +2,19 @@
 
 from __future__ import annotations
 
-from functools import cached_property
+from functools import cached_property, partial
 from math import inf, isfinite
-from typing import Any, Literal, TypeAlias
+from typing import Literal, TypeAlias, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kugelpendel import _core
-from kugelpendel.motion._pumping import refuse_pumping
-from kugelpendel.motion._surrounded import Surrounded
-from kugelpendel.motion._surroundings import Surroundings
+from kugelpendel.errors import EventNotFound, InvalidInput, MotionEnded
+from kugelpendel.motion._forced import ForcedMotion
+from kugelpendel.motion._problems import Problems, Reasons
 from kugelpendel.motion._times import checked_grid, checked_times
-from kugelpendel.parameters import (
-    Bob,
-    Drag,
-    Drive,
-    InvalidInput,
-    Launch,
-    Numbers,
-    Pendulum,
-    Site,
-    Suspension,
-    as_numbers,
-)
+from kugelpendel.parameters import ForceParts, Forces, Launch, Numbers, Pendulum, as_numbers
 
 Thread: TypeAlias = Literal["ends", "flies", "rod"]
 Event: TypeAlias = Literal["outer", "inner", "azimuth", "slack", "taut"]
@@ -36,7 +25,7 @@ _FINEST = 1e-17
 _MOST = 10_000_000
 
 
-class RealMotion(Surrounded):
+class RealMotion(ForcedMotion):
     """A pendulum on the turning Earth, in air, on an imperfect suspension, driven or not.
 
     The full equations on the sphere, integrated by Taylor series of order 20 with dense output.
@@ -48,6 +37,8 @@ class RealMotion(Surrounded):
         What swings; its gravity is the one that acts.
     launch
         Position and velocity at t = 0, as seen from the ground.
+    forces
+        What acts, as one object; or by its parts:
     site
         Where: turns the ground; x is east and y north.
     drag
@@ -71,7 +62,8 @@ class RealMotion(Surrounded):
     InvalidInput
         For what a single ExactMotion would refuse, shapes that do not broadcast, a site whose given
         gravity is not the pendulum's, a drive that pumps without end, and an unknown thread or
-        tolerance. In an ensemble a bad launch or pendulum gives NaN, and `reason` says why.
+        tolerance. In an ensemble a bad case of anything that is given, a drive that pumps
+        included, gives NaN, and `reason` says why.
 
     Notes
     -----
@@ -90,16 +82,12 @@ class RealMotion(Surrounded):
         self,
         pendulum: Pendulum,
         launch: Launch,
+        forces: Forces | None = None,
         *,
-        site: Site | None = None,
-        drag: Drag | None = None,
-        suspension: Suspension | None = None,
-        bob: Bob | None = None,
-        drive: Drive | None = None,
         thread: Thread = "ends",
         tolerance: float = _FINEST,
+        **parts: Unpack[ForceParts],
     ):
-        around = Surroundings(pendulum, launch, site, drag, suspension, bob, drive)
         if thread not in _THREADS:
             raise InvalidInput(
                 f"The thread must be one of {', '.join(map(repr, _THREADS))}, but it is {thread!r}."
@@ -110,34 +98,16 @@ class RealMotion(Surrounded):
                 f"The tolerance must lie between 0 and 1e-3, but it is {tolerance:g}; leave it out "
                 f"for the finest."
             )
-        refuse_pumping(around.effective_pendulum, launch, drag, drive)
-        self._around = around
+        self._give(pendulum, launch, forces, parts)
         self._thread: Thread = thread
         self._tolerance = tolerance
-        self._motions = _core.RealMotions(
-            around.count,
-            around.pendulum_columns,
-            (launch.kind, around.launch_columns),
-            around.forces,
-            (around.drive_kind, around.drive_columns),
-            thread,
-            tolerance,
-        )
-        if self.shape == ():
-            for _, sentence in self._motions.problems():
-                raise InvalidInput(sentence)
+        self._motions = _core.RealMotions(*self._columns, thread, tolerance)
+        if self.shape == () and (problem := self._motions.problem(0)):
+            raise InvalidInput.told(problem)
 
-    def __reduce__(self) -> tuple[type[RealMotion], tuple[Pendulum, Launch], dict[str, Any]]:
-        around = self._around
-        options: dict[str, Any] = {
-            "site": around.site, "drag": around.drag, "suspension": around.suspension,
-            "bob": around.bob, "drive": around.drive, "thread": self._thread,
-            "tolerance": self._tolerance,
-        }  # fmt: skip
-        return (RealMotion, (around.pendulum, around.launch), options)
-
-    def __setstate__(self, options: dict[str, Any]) -> None:
-        self.__init__(self.pendulum, self.launch, **options)
+    def __reduce__(self) -> tuple[object, ...]:
+        options = {"thread": self._thread, "tolerance": self._tolerance}
+        return (partial(RealMotion, **options), (self.pendulum, self.launch, self.forces))
 
     @property
     def thread(self) -> Thread:
@@ -160,9 +130,19 @@ class RealMotion(Surrounded):
         return (0.0 if self.drive is not None or self.thread == "flies" else -inf, inf)
 
     @cached_property
-    def reason(self) -> NDArray[np.str_]:
+    def problems(self) -> Problems:
+        """Index and sentence of each bad case of the ensemble; empty where all are good."""
+        return Problems(self._motions, self.shape)
+
+    @property
+    def status(self) -> NDArray[np.uint8]:
+        """0 for a good case, else the number of the kind of its problem: shape `shape`."""
+        return self.problems.status
+
+    @property
+    def reason(self) -> Reasons:
         """Why a case of the ensemble is bad, "" where it is good: shape `shape`."""
-        return self._reasons(self._motions.problems())
+        return self.problems.reasons
 
     @property
     def trust(self) -> str:
@@ -172,8 +152,8 @@ class RealMotion(Surrounded):
     def position(self, t: ArrayLike) -> Numbers:
         """Position from the support, m, z down: shape (*shape, *t.shape, 3).
 
-        Raises InvalidInput for times that are not finite or before the span, and for a single
-        motion that has ended; in an ensemble it is NaN from its end on.
+        Raises InvalidInput for times that are not finite or before the span, and MotionEnded for a
+        single motion that has ended; in an ensemble it is NaN from its end on.
         """
         times = self._times(t, 3)
         return self._shaped(*self._motions.position(times.ravel()), times, 3)
@@ -185,7 +165,7 @@ class RealMotion(Surrounded):
 
     def sample(self, start: float, step: float, count: int) -> Numbers:
         """Positions at start + step·k: m, shape (*shape, count, 3); errors as in `position`."""
-        size = checked_grid(start, step, count, 3 * self._around.count)
+        size = checked_grid(start, step, count, 3 * self._count)
         return self.position(float(start) + float(step) * np.arange(size))
 
     def tension(self, t: ArrayLike) -> Numbers:
@@ -229,7 +209,7 @@ class RealMotion(Surrounded):
     ) -> float:
         """The first time of an event later than `after`, s.
 
-        Looks `within` s ahead; raises InvalidInput where it does not come, and as `events`.
+        Looks `within` s ahead; raises EventNotFound where it does not come, and as `events`.
         """
         azimuth = self._checked_event(kind, value)
         first, ahead = _one_number(after, "after", "s"), _one_number(within, "within", "s")
@@ -241,10 +221,7 @@ class RealMotion(Surrounded):
         later = float(np.nextafter(first, inf))
         times = self._motions.events(kind, azimuth, (later, first + ahead), 1)
         if times.size == 0:
-            raise InvalidInput(
-                f'The event "{kind}" does not come within {ahead:.6g} s after {first:.6g} s; look '
-                f"further with within=…, or the motion may never have it."
-            )
+            raise EventNotFound.of("no_event", event=kind, within=(ahead, "s"), after=(first, "s"))
         return float(times[0])
 
     def _checked_event(self, kind: str, value: float | None) -> float:
@@ -265,7 +242,7 @@ class RealMotion(Surrounded):
         return azimuth
 
     def _times(self, t: ArrayLike, numbers_each: int) -> Numbers:
-        times = checked_times(t, numbers_each * self._around.count)
+        times = checked_times(t, numbers_each * self._count)
         first = self.span[0]
         if times.size and times.min() < first:
             raise InvalidInput(
@@ -276,11 +253,8 @@ class RealMotion(Surrounded):
 
     def _shaped(self, flat: Numbers, ends: Numbers, times: Numbers, *tail: int) -> Numbers:
         if self.shape == () and np.isfinite(ends[0]):
-            raise InvalidInput(
-                f"The thread goes slack at {ends[0]:.9g} s, where the motion ends; asked for are "
-                f"times from {times.min():.6g} s to {times.max():.6g} s. Keep between, or let it "
-                f'fly on: thread="flies", or thread="rod".'
-            )
+            asked = {"first": (float(times.min()), "s"), "last": (float(times.max()), "s")}
+            raise MotionEnded.of("slack", time=(float(ends[0]), "s"), **asked)
         return flat.reshape((*self.shape, *times.shape, *tail))
 
 

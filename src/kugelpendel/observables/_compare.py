@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from kugelpendel.errors import KugelpendelError
 from kugelpendel.motion import (
     CubicMotion,
     ExactMotion,
@@ -228,7 +229,7 @@ def _compared(rung: _Rung, exact: ExactMotion, times: Numbers, truth: Numbers) -
             errors = np.full(len(times), np.nan)
             found = motion.sample(0.0, float(times[1]), int(known.sum()))
             errors[known] = np.linalg.norm(found - truth[known], axis=-1)
-        except InvalidInput as error:
+        except KugelpendelError as error:
             return replace(row, reason=str(error))
     cautions = [str(warning.message) for warning in caught]
     if np.isnan(errors).any():

@@ -99,13 +99,18 @@ def validity(a: ArrayLike, b: ArrayLike, length: ArrayLike) -> Validity:
     """
     pendulum = Pendulum(length)
     given = as_numbers(a, "The turning radius a", "m"), as_numbers(b, "The turning radius b", "m")
+    # So small a swing depends on its shape only, and a motion that is next to nothing is refused.
+    with np.errstate(invalid="ignore", divide="ignore"):
+        least = 1e-3 * _TINY * np.asarray(pendulum.length)
+        tiny = (np.asarray(given[0]) > 0) & (np.asarray(given[0]) < least)
+        growth = np.where(tiny, least / given[0], 1.0)
     # The launch as it was given is what a sentence must be about.
-    exact = ExactMotion(pendulum, Launch.apsides(*given))
+    exact = ExactMotion(pendulum, Launch.apsides(*(radius * growth for radius in given)))
     shape = exact.shape
-    outer = np.asarray(given[0])
-    inner = np.maximum(np.abs(given[1]), _NARROW * outer)
+    outer = np.asarray(given[0]) * growth
+    inner = np.maximum(np.abs(given[1] * growth), _NARROW * outer)
     alpha, beta = outer / pendulum.length, inner / pendulum.length
-    narrow = np.any(inner != given[1])
+    narrow = np.any(inner != given[1] * growth)
     rates = ExactMotion(pendulum, Launch.apsides(outer, inner)) if narrow else exact
     small = np.broadcast_to(alpha < _TINY, shape)
     rest = pendulum.angular_frequency

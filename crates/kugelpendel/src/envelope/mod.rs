@@ -15,8 +15,9 @@ mod tableau;
 mod tests;
 
 use crate::exact::motion::ExactMotion;
+use crate::given::acting::Acting;
 use crate::given::forces::{Drive, Forces};
-use crate::given::invalid::{Invalid, require};
+use crate::given::invalid::{Invalid, Seen, require};
 use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;
 use crate::given::times::{Quantity, Times, both_ways};
@@ -86,6 +87,15 @@ impl Envelope {
 pub struct EnvelopeWalks([Option<Box<AveragedStepper>>; 2]);
 
 impl EnvelopeMotion {
+    /// Under everything that acts; the pendulum is as given, without the bob's corrections. `exact` as in [`Self::new`].
+    ///
+    /// # Errors
+    /// What [`Acting::settle`] and [`Self::new`] refuse.
+    pub fn under(acting: &Acting, pendulum: Pendulum, launch: Launch, exact: bool) -> Result<Self, Invalid> {
+        let effective = acting.settle(&pendulum, &launch)?;
+        Self::new(effective, launch, acting.forces(), acting.drive, exact)
+    }
+
     /// The averaged motion of this launch. With `exact`, everything is averaged over the closed form at any amplitude;
     /// otherwise over harmonic swings with Olsson's (25) and (26).
     ///
@@ -95,23 +105,20 @@ impl EnvelopeMotion {
     pub fn new(pendulum: Pendulum, launch: Launch, forces: Forces, drive: Drive, exact: bool) -> Result<Self, Invalid> {
         let motion = ExactMotion::new(pendulum, launch)?;
         let omega0 = pendulum.angular_frequency();
-        let numbers = [forces.damping, forces.quadratic, forces.rotation[1], forces.anisotropy, forces.axis];
-        let damping = [forces.damping_anisotropy, forces.damping_axis];
-        require!(
-            numbers.iter().chain(&damping).all(|value| value.is_finite()),
-            "The forces on the pendulum must be finite numbers, but they are {numbers:?} and {damping:?}."
-        );
+        forces.check()?;
+        drive.check()?;
         for (name, value, unit, most) in [
-            ("suspension's anisotropy", forces.anisotropy, "rad/s", MOST),
-            ("suspension's damping anisotropy", forces.damping_anisotropy, "1/s", MOST),
-            ("linear drag", forces.damping, "1/s", 0.5),
+            ("suspension.anisotropy", forces.anisotropy, "rad/s", MOST),
+            ("suspension.damping_anisotropy", forces.damping_anisotropy, "1/s", MOST),
+            ("drag.linear", forces.damping, "1/s", 0.5),
         ] {
-            require!(
-                value.abs() <= most * omega0,
-                "The {name} of {value} {unit} is {:.3} of ω0 = {omega0:.6} rad/s; beyond {most} of it swings cannot be \
-                 averaged: use RealMotion.",
-                value.abs() / omega0
-            );
+            let share = value.abs() / omega0;
+            require(value.abs() <= most * omega0, || Invalid::TooStrong {
+                value: Seen { name, value, unit },
+                share,
+                frequency: omega0,
+                most,
+            })?;
         }
         let equations = AveragedEquations::new(&forces, drive, pendulum.length, omega0, exact);
         let [mut place, mut rate] = [[0.0; 3]; 2];
@@ -119,14 +126,8 @@ impl EnvelopeMotion {
         motion.fill(Quantity::Velocity, Times::Scattered(&[0.0]), &mut rate);
         let [x, y, z] = place;
         let start = if z > 0.0 { mean(&pendulum, &equations, [x, y], [rate[0], rate[1]]) } else { None };
-        let start = start.ok_or_else(|| {
-            let height = motion.turning_heights()[0];
-            Invalid(format!(
-                "EnvelopeMotion holds for swings below the support, but this launch rises to {height:.6} m above the \
-                 lowest point, and the length is {} m; use RealMotion.",
-                pendulum.length
-            ))
-        })?;
+        let height = motion.turning_heights()[0];
+        let start = start.ok_or(Invalid::RisesToSupport { height, length: pendulum.length })?;
         let ideal = (exact && equations.is_ideal()).then_some(motion);
         Ok(Self { pendulum, given: (launch, forces, drive), equations, start, omega0, ideal })
     }

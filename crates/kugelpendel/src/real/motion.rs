@@ -1,6 +1,7 @@
 //! The motion of a real pendulum: the full equations, integrated.
 
 use crate::exact::motion::ExactMotion;
+use crate::given::acting::Acting;
 use crate::given::forces::{Drive, Forces, Thread};
 use crate::given::invalid::Invalid;
 use crate::given::launch::Launch;
@@ -46,10 +47,25 @@ const PATIENCE: usize = 4096;
 pub struct Walks([Option<Box<Walk>>; 2]);
 
 impl RealMotion {
+    /// Under everything that acts; the pendulum is as given, without the bob's corrections.
+    ///
+    /// # Errors
+    /// What [`Acting::settle`] refuses.
+    pub fn under(
+        acting: &Acting,
+        pendulum: Pendulum,
+        launch: Launch,
+        thread: Thread,
+        tolerance: f64,
+    ) -> Result<Self, Invalid> {
+        let effective = acting.settle(&pendulum, &launch)?;
+        Self::new(effective, launch, acting.forces(), acting.drive, thread, tolerance)
+    }
+
     /// The pendulum's gravity is what moves the bob, buoyancy and all taken into account.
     ///
     /// # Errors
-    /// A pendulum or launch that makes no sense.
+    /// A pendulum, launch, force or drive that makes no sense.
     pub fn new(
         pendulum: Pendulum,
         launch: Launch,
@@ -58,6 +74,8 @@ impl RealMotion {
         thread: Thread,
         tolerance: f64,
     ) -> Result<Self, Invalid> {
+        forces.check()?;
+        drive.check()?;
         let exact = ExactMotion::new(pendulum, launch)?;
         let (mut place, mut rate) = ([0.0; 3], [0.0; 3]);
         exact.fill(Quantity::Position, Times::Scattered(&[0.0]), &mut place);

@@ -2,3 +2,5 @@
 
 pub(crate) mod blocks;
 pub(crate) mod rotations;
+#[cfg(feature = "threads")]
+pub(crate) mod threads;
