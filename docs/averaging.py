@@ -29,20 +29,21 @@ def cases(a: float) -> Iterator[tuple[str, dict[str, object]]]:
 
     Drag is such that a drive keeps the amplitude, and damping along no direction is negative.
     """
-    for share in (1e-6, 1e-5, 1e-4):
+    for power in (-6, -5, -4):
+        share, said = 10.0**power, f"1e−{-power}"
         rate = share * OMEGA0
-        yield f"γ, {share:g}", {"drag": kp.Drag(rate)}
-        yield f"c, {share:g}", {"drag": kp.Drag(0.0, share / (a * LENGTH))}
-        yield f"δ, {share:g}", {"suspension": kp.Suspension(rate, 0.5)}
+        yield f"γ, {said}", {"drag": kp.Drag(rate)}
+        yield f"c, {said}", {"drag": kp.Drag(0.0, share / (a * LENGTH))}
+        yield f"δ, {said}", {"suspension": kp.Suspension(rate, 0.5)}
         yield (
-            f"Δγ, {share:g}",
+            f"Δγ, {said}",
             {"suspension": kp.Suspension(0.0, 0.0, rate, 0.5), "drag": kp.Drag(rate)},
         )
         push, drag = share * a * LENGTH * OMEGA0, kp.Drag(rate * math.cos(0.3) / math.pi)
-        yield f"push at a phase, {share:g}", {"drag": drag, "drive": kp.Drive(push, phase=0.3)}
+        yield f"push at a phase, {said}", {"drag": drag, "drive": kp.Drive(push, phase=0.3)}
         drag = kp.Drag(rate * math.sqrt(1 - 0.4**2) / math.pi)
         drive = kp.Drive(push, radius=0.4 * a * LENGTH + 0.1)
-        yield f"push at a radius, {share:g}", {"drag": drag, "drive": drive}
+        yield f"push at a radius, {said}", {"drag": drag, "drive": drive}
     yield "site, 49° N", {"site": kp.Site(math.radians(49))}
     yield "site, 49° N, let go at rest", {"site": kp.Site(math.radians(49))}
 

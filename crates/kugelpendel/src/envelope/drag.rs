@@ -43,23 +43,29 @@ impl Speeds {
         let kappa = (range / square).min(1.0);
         let mu = 0.5 * range / (2.0 + ratio - 0.5 * sum);
         let speed = square.sqrt();
-        // Means of w = 1/√(1 − μ cos φ), w cos φ, w√Y, and the covariance of cos φ and √Y.
-        let weight = |cos: f64| 1.0 / (1.0 - mu * cos).sqrt();
-        let nodes = NODES.map(|cos| (cos, weight(cos)));
-        let mean = |f: &dyn Fn(f64) -> f64| nodes.iter().map(|&(cos, w)| w * f(cos)).sum::<f64>() / POINTS as f64;
-        let total = mean(&|_| 1.0);
-        let centre = mean(&|cos| cos) / total;
+        // Over the nodes: w = 1/√(1 − μ cos φ), and √Y.
+        let nodes = &*NODES;
+        let weights = nodes.map(|cos| 1.0 / (1.0 - mu * cos).sqrt());
+        let roots = nodes.map(|cos| (1.0 - kappa * cos).max(0.0).sqrt());
+        let mean = |values: [f64; POINTS]| values.iter().sum::<f64>() / POINTS as f64;
+        let total = mean(weights);
+        let centre = mean(std::array::from_fn(|k| weights[k] * nodes[k])) / total;
         if kappa <= THIN {
-            let root = |cos: f64| (1.0 - kappa * cos).sqrt();
-            let slow = mean(&root) / total;
-            // √Y − 1 over −κ.
-            let apart = mean(&|cos| (cos - centre) * cos / (root(cos) + 1.0)) / total;
-            // v² varies with −D cos φ; |v| with −speed·κ and what is in `apart`; κ = D/V.
+            let slow = mean(std::array::from_fn(|k| weights[k] * roots[k])) / total;
+            // √Y − 1 over −κ, and Y over −κ: nothing cancels on the circle.
+            let both = |k: usize| weights[k] * (nodes[k] - centre) * nodes[k] / (roots[k] + 1.0);
+            let apart = mean(std::array::from_fn(both)) / total;
             return Self { mean: speed * slow, covariance: apart / speed };
         }
-        let thin = Thin::new(kappa, mu);
-        let slow = thin.mean(&nodes, 0) / total;
-        let cubed = thin.mean(&nodes, 1) / total; // of Y√Y
+        let Thin { series, moments } = Thin::new(kappa, mu);
+        let known =
+            |n: usize| series.iter().zip(&moments[n..]).map(|(coefficient, moment)| coefficient * moment).sum::<f64>();
+        let rest: [f64; POINTS] = std::array::from_fn(|k| {
+            let y = roots[k] * roots[k];
+            roots[k] * (weights[k] - (series[0] + y * (series[1] + y * series[2])))
+        });
+        let slow = (mean(rest) + known(0)) / total;
+        let cubed = (mean(std::array::from_fn(|k| rest[k] * roots[k] * roots[k])) + known(1)) / total; // of Y√Y
         // Cov(Y, √Y) = ⟨Y√Y⟩ − ⟨Y⟩⟨√Y⟩, and κ² of it belongs to the range.
         let covariance = (cubed - (1.0 - kappa * centre) * slow) / (kappa * kappa);
         Self { mean: speed * slow, covariance: covariance / speed }
@@ -74,7 +80,6 @@ impl Speeds {
 
 /// What is not smooth next to the plane, w expanded in powers of Y with what is known of these.
 struct Thin {
-    kappa: f64,
     /// Coefficients of w in Y.
     series: [f64; 3],
     /// Means of Y^(n + ½) over φ.
@@ -95,19 +100,7 @@ impl Thin {
         let (g, h) = (1.0 - mu / kappa, mu / kappa);
         let first = 1.0 / g.sqrt();
         let second = -0.5 * first * h / g;
-        Self { kappa, series: [first, second, -0.75 * second * h / g], moments }
-    }
-
-    /// Mean of w·Y^(n + ½), for n = 0 and 1.
-    fn mean(&self, nodes: &[(f64, f64); POINTS], n: usize) -> f64 {
-        let [first, second, third] = self.series;
-        let rest = nodes.iter().map(|&(cos, w)| {
-            let y = 1.0 - self.kappa * cos;
-            let power = if n == 0 { y.sqrt() } else { y * y.sqrt() };
-            power * (w - (first + y * (second + y * third)))
-        });
-        let known = self.series.iter().zip(&self.moments[n..]).map(|(coefficient, moment)| coefficient * moment);
-        rest.sum::<f64>() / POINTS as f64 + known.sum::<f64>()
+        Self { series: [first, second, -0.75 * second * h / g], moments }
     }
 }
 
@@ -137,7 +130,7 @@ impl Harmonic {
         let (mut power, mut weight, mut sum) = (1.0, 1.0, 0.5);
         for _ in 0..12 {
             landen = landen.next();
-            power *= k * power;
+            power = k * (power * power);
             let share = power * landen.c;
             sum += weight * share * share;
             weight *= 2.0;

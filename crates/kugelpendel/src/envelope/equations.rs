@@ -65,7 +65,7 @@ pub(super) struct Circles {
 impl Circles {
     pub(super) fn of(state: &SlowState) -> Self {
         let [x, y, u, v, _, turned, faded] = *state;
-        let (first, second, scale) = (x.hypot(y), u.hypot(v), (-faded).exp());
+        let (first, second, scale) = ((x * x + y * y).sqrt(), (u * u + v * v).sqrt(), (-faded).exp());
         let common = Complex64::cis(turned);
         let unit = |size: f64, re: f64, im: f64| {
             if size > 0.0 { common * Complex64::new(re / size, im / size) } else { Complex64::ONE }

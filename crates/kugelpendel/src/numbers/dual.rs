@@ -95,6 +95,7 @@ impl Sub for Dual {
 impl Mul for Dual {
     type Output = Self;
     #[inline(always)]
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "a product's derivative is a sum")]
     fn mul(self, other: Self) -> Self {
         let slope = std::array::from_fn(|k| self.value * other.slope[k] + self.slope[k] * other.value);
         Self { value: self.value * other.value, slope }
