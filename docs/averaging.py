@@ -97,6 +97,7 @@ def table() -> str:
 if __name__ == "__main__":
     page = Path(sys.argv[1])
     text = page.read_text(encoding="utf-8")
+    head, rest = text.split("<!-- averaging -->")
+    _, tail = rest.split("<!-- /averaging -->")
     made = f"<!-- averaging -->\n{table()}\n<!-- /averaging -->"
-    text = re.sub(r"<!-- averaging -->\n.*?<!-- /averaging -->", lambda _: made, text, flags=re.DOTALL)
-    page.write_text(text, encoding="utf-8")
+    page.write_text(head + made + tail, encoding="utf-8")

@@ -1,7 +1,7 @@
 from . import series as series
-from .builder import Answer as Answer
-from .builder import Check as Check
 from .builder import Design as Design
+from .builder import DesignAnswer as DesignAnswer
+from .builder import DesignCheck as DesignCheck
 from .builder import design as design
 from .errors import EventNotFound as EventNotFound
 from .errors import InvalidInput as InvalidInput
@@ -14,11 +14,12 @@ from .motion import ExactMotion as ExactMotion
 from .motion import LinearMotion as LinearMotion
 from .motion import OlssonMotion as OlssonMotion
 from .motion import PlaneMotion as PlaneMotion
+from .motion import PrecessionBudget as PrecessionBudget
 from .motion import RealMotion as RealMotion
 from .motion import SeriesMotion as SeriesMotion
 from .motion import Spectrum as Spectrum
-from .motion import TurningRates as TurningRates
 from .observables import Comparison as Comparison
+from .observables import Portrait as Portrait
 from .observables import Validity as Validity
 from .observables import ValidityMap as ValidityMap
 from .observables import compare as compare
@@ -38,12 +39,12 @@ from .parameters import Suspension as Suspension
 from .parameters import Wire as Wire
 
 __all__ = [
-    "Answer",
     "Bob",
-    "Check",
     "Comparison",
     "CubicMotion",
     "Design",
+    "DesignAnswer",
+    "DesignCheck",
     "Drag",
     "Drive",
     "EnvelopeMotion",
@@ -59,12 +60,13 @@ __all__ = [
     "OlssonMotion",
     "Pendulum",
     "PlaneMotion",
+    "Portrait",
+    "PrecessionBudget",
     "RealMotion",
     "SeriesMotion",
     "Site",
     "Spectrum",
     "Suspension",
-    "TurningRates",
     "Validity",
     "ValidityMap",
     "Wire",

@@ -2,6 +2,7 @@
 
 use crate::columns::{Numbers, new_array};
 use kugelpendel::{HarmonicMotion, MAX_POWER, Quantity, Times};
+use numpy::ndarray::ArrayView1;
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -16,13 +17,13 @@ pub(crate) struct HarmonicMotions {
 impl HarmonicMotions {
     /// `rows`: length, frequency, precession, apsis time and azimuth, then the powers of the inner and of the outer part.
     #[new]
-    fn new(rows: PyReadonlyArray2<'_, f64>) -> PyResult<Self> {
+    fn new(py: Python<'_>, rows: PyReadonlyArray2<'_, f64>) -> PyResult<Self> {
         const WIDTH: usize = 5 + 2 * (MAX_POWER + 1);
         let rows = rows.as_array();
         if rows.ncols() != WIDTH {
             return Err(PyValueError::new_err(format!("a row takes {WIDTH} numbers, not {}", rows.ncols())));
         }
-        let motions = rows.rows().into_iter().map(|row| HarmonicMotion {
+        let motion = |row: ArrayView1<'_, f64>| HarmonicMotion {
             length: row[0],
             frequency: row[1],
             precession: row[2],
@@ -30,8 +31,8 @@ impl HarmonicMotions {
             apsis_azimuth: row[4],
             inner: std::array::from_fn(|k| row[5 + k]),
             outer: std::array::from_fn(|k| row[5 + MAX_POWER + 1 + k]),
-        });
-        Ok(Self { motions: motions.collect() })
+        };
+        Ok(Self { motions: py.detach(|| rows.rows().into_iter().map(motion).collect()) })
     }
 
     fn position<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {

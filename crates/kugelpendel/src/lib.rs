@@ -14,10 +14,11 @@
 // Reading order. What is given: `given` (pendulum, launch, forces, times, and what is said of bad ones). The closed form:
 // `exact`, with the constants of a motion in its `invariants` and the functions of time in its `theta`. Many times and
 // many motions: `sampling`. The real pendulum: `taylor` integrates, `real` has its equations step by step, `envelope` their
-// average. The paper's approximations: `paper`. Underneath: `numbers`.
+// average. The paper's approximations: `paper`. What a motion means: `meaning`. Underneath: `numbers`.
 mod envelope;
 mod exact;
 mod given;
+mod meaning;
 mod numbers;
 mod paper;
 mod real;
@@ -30,16 +31,15 @@ mod tests;
 pub use envelope::{Envelope, EnvelopeMotion, EnvelopeWalks};
 pub use exact::ensemble::Ensemble;
 pub use exact::motion::ExactMotion;
-pub use given::acting::Acting;
-pub use given::bob::Bob;
-pub use given::drag::{Drag, StillAir};
-pub use given::forces::{Drive, Forces, Thread};
-pub use given::invalid::{Invalid, Seen};
-pub use given::launch::{FASTEST, Launch, SMALLEST, TOLERANCE};
-pub use given::pendulum::Pendulum;
-pub use given::site::{ROTATION, Site};
-pub use given::suspension::Suspension;
-pub use given::wire::Wire;
+pub use given::*;
+pub use meaning::budget::{ALIKE, Cause, Pace, PrecessionBudget, STALL, Stretch, stretches};
+pub use meaning::decay::Decay;
+pub use meaning::half_turn::{HalfTurn, critical_damping, under_damping};
+pub use meaning::portrait::{
+    EllipseForm, Equilibrium, Orbit, Portrait, Verdict, critical_amplitude, critical_anisotropy, intrinsic,
+};
+pub use meaning::push;
+pub use meaning::settled::{Settled, settle};
 pub use numbers::arithmetic::fused;
 pub use paper::equations::Equation;
 pub use paper::harmonic::{HarmonicMotion, MAX_POWER, Powers};
@@ -50,4 +50,3 @@ pub use sampling::threads::in_parallel;
 pub use taylor::events::Event;
 
 pub use exact::spectrum::{Harmonic, Spectrum};
-pub use given::times::{Quantity, Times};

@@ -1,9 +1,11 @@
 """How it moves: every motion has the one interface of `Motion`."""
 
 from kugelpendel.motion._base import Motion as Motion
+from kugelpendel.motion._budget import CAUSES as CAUSES
+from kugelpendel.motion._budget import PrecessionBudget as PrecessionBudget
+from kugelpendel.motion._budget import Stretch as Stretch
 from kugelpendel.motion._cubic import CubicMotion as CubicMotion
 from kugelpendel.motion._envelope import EnvelopeMotion as EnvelopeMotion
-from kugelpendel.motion._envelope import TurningRates as TurningRates
 from kugelpendel.motion._exact import ExactMotion as ExactMotion
 from kugelpendel.motion._linear import LinearMotion as LinearMotion
 from kugelpendel.motion._olsson import OlssonMotion as OlssonMotion

@@ -88,7 +88,7 @@ class RealMotion(ForcedMotion):
         tolerance: float = _FINEST,
         **parts: Unpack[ForceParts],
     ):
-        if thread not in _THREADS:
+        if str(thread) not in _THREADS:
             raise InvalidInput(
                 f"The thread must be one of {', '.join(map(repr, _THREADS))}, but it is {thread!r}."
             )
@@ -230,7 +230,7 @@ class RealMotion(ForcedMotion):
                 f"Events are those of a single motion, but this is an ensemble of shape "
                 f"{self.shape}; ask its motions one by one."
             )
-        if kind not in _EVENTS:
+        if str(kind) not in _EVENTS:
             names = ", ".join(map(repr, _EVENTS))
             raise InvalidInput(f"The event must be one of {names}, but it is {kind!r}.")
         if (kind == "azimuth") != (value is not None):

@@ -10,9 +10,9 @@ from kugelpendel.observables._measured import Rates as Rates
 from kugelpendel.observables._measured import measured_rates as measured_rates
 from kugelpendel.observables._olsson import precession_rate as precession_rate
 from kugelpendel.observables._olsson import swing_frequency as swing_frequency
-from kugelpendel.observables._shares import CAUSES as CAUSES
-from kugelpendel.observables._shares import Shares as Shares
-from kugelpendel.observables._shares import Stretch as Stretch
+from kugelpendel.observables._portrait import Equilibrium as Equilibrium
+from kugelpendel.observables._portrait import Orbit as Orbit
+from kugelpendel.observables._portrait import Portrait as Portrait
 from kugelpendel.observables._validity import Validity as Validity
 from kugelpendel.observables._validity import ValidityMap as ValidityMap
 from kugelpendel.observables._validity import validity as validity

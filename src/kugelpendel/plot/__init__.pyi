@@ -4,6 +4,7 @@ from ._day import day as day
 from ._design import design as design
 from ._overview import overview as overview
 from ._overview import save as save
+from ._portrait import portrait as portrait
 from ._turning import turning_rate as turning_rate
 from ._units import Unit as Unit
 from ._units import rate_unit as rate_unit
@@ -23,6 +24,7 @@ __all__ = [
     "day",
     "design",
     "overview",
+    "portrait",
     "rate_unit",
     "save",
     "significant",

@@ -15,8 +15,8 @@ mod tableau;
 mod tests;
 
 use crate::exact::motion::ExactMotion;
-use crate::given::acting::Acting;
-use crate::given::forces::{Drive, Forces};
+use crate::given::drive::Drive;
+use crate::given::forces::{Acting, Forces};
 use crate::given::invalid::{Invalid, Seen, require};
 use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;
@@ -130,6 +130,27 @@ impl EnvelopeMotion {
         let start = start.ok_or(Invalid::RisesToSupport { height, length: pendulum.length })?;
         let ideal = (exact && equations.is_ideal()).then_some(motion);
         Ok(Self { pendulum, given: (launch, forces, drive), equations, start, omega0, ideal })
+    }
+
+    /// At an outer turning point of the mean motion itself: turning radii a and b in m, b with the sign of the sense, and the
+    /// azimuth of the major axis in rad. A launch would be such an ellipse and what the forces add to its velocity.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn at_apsis(
+        pendulum: Pendulum,
+        [a, b, azimuth]: [f64; 3],
+        forces: Forces,
+        drive: Drive,
+        exact: bool,
+    ) -> Result<Self, Invalid> {
+        let mut motion = Self::new(pendulum, Launch::Apsides { a, b, azimuth }, forces, drive, exact)?;
+        let mut sizes = motion.equations.amplitudes([a / pendulum.length, b.abs() / pendulum.length]);
+        if b < 0.0 {
+            sizes.reverse();
+        }
+        motion.start = Moment::of(sizes, [azimuth; 2]);
+        Ok(motion)
     }
 
     /// The same with the intrinsic precession Ω multiplied by a factor: what a support that stiffens with amplitude, or a

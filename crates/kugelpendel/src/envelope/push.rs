@@ -4,7 +4,7 @@
 //! angles by −push·∂ρ/∂J, ρ(Θ; J) being the distance from the axis; half its own square times cos² θ is energy as well.
 
 use super::swing::Swing;
-use crate::given::forces::Drive;
+use crate::given::drive::Drive;
 use crate::numbers::elliptic::Ladder;
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -6,4 +6,5 @@ pub(crate) mod double_double;
 pub(crate) mod dual;
 pub(crate) mod elliptic;
 pub(crate) mod landen;
+pub(crate) mod polynomial;
 pub(crate) mod turns;

@@ -1,6 +1,7 @@
 //! The real motion step by step, with what happens between the steps: the thread goes slack, or taut; the drive pushes.
 
-use crate::given::forces::{Drive, Thread};
+use crate::given::drive::Drive;
+use crate::given::forces::Thread;
 use crate::numbers::arithmetic::{Arithmetic, dispatch};
 use crate::numbers::double_double::{Dd, Pair};
 use crate::real::motion::RealMotion;
