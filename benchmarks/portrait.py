@@ -3,8 +3,8 @@
     python benchmarks/portrait.py        random pendulums, each against the averaged motion,
                                          and every thirtieth against the full equations
 
-Drawn at random, from a fixed seed: lengths from 0.5 to 70 m, latitudes of both hemispheres, |δ| from
-0.03 to 10 times |Ω_z| and of both signs, a/l from 1e-3 to 0.13, |b| up to 0.3 a, all azimuths.
+Drawn at random, from a fixed seed: lengths from 0.5 to 70 m, latitudes of both hemispheres, |δ|
+from 0.03 to 10 times |Ω_z| and of both signs, a/l from 1e-3 to 0.13, |b| up to 0.3 a, all azimuths.
 """
 
 from __future__ import annotations

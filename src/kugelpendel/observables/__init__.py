@@ -13,6 +13,7 @@ from kugelpendel.observables._olsson import swing_frequency as swing_frequency
 from kugelpendel.observables._portrait import Equilibrium as Equilibrium
 from kugelpendel.observables._portrait import Orbit as Orbit
 from kugelpendel.observables._portrait import Portrait as Portrait
+from kugelpendel.observables._validity import LEVELS as LEVELS
 from kugelpendel.observables._validity import Validity as Validity
 from kugelpendel.observables._validity import ValidityMap as ValidityMap
 from kugelpendel.observables._validity import validity as validity

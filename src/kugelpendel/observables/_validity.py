@@ -17,6 +17,9 @@ from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, Scal
 ORDERS = (2, 4, 6, 8, 10, 12)
 """Orders of the series that are judged."""
 
+LEVELS = (1e-4, 1e-3, 1e-2, 1e-1)
+"""Relative errors that are told apart: 0.01 %, 0.1 %, 1 %, 10 %."""
+
 _NARROW = 1e-12
 """b/a of an ellipse that stands for the limit b → 0: what is left of it is of order 1e-24."""
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+import warnings
 from typing import TYPE_CHECKING
 
 import kugelpendel as kp
 from kugelpendel.cli.run.findings import envelope
+from kugelpendel.spelling import minus
 
 if TYPE_CHECKING:
     from kugelpendel.cli.job_file.job import Job
@@ -25,7 +27,9 @@ def clamp_notes(job: Job) -> dict[str, str]:
     if job.forces.site is None or suspension is None or not float(suspension.anisotropy):
         return {}
     try:
-        start = kp.Portrait.of(envelope(job))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # the report has the motion's own caution
+            start = kp.Portrait.of(envelope(job))
         found = kp.design(
             job.pendulum, start.a, start.b, azimuth=start.azimuth, forces=job.forces, checked=False
         )
@@ -41,5 +45,5 @@ def describe_clamp(notes: dict[str, str], turned: float) -> list[str]:
     lines = [f"The clamp: {notes['alone']}."]
     if "together" in notes:
         lines.append(f"With all that acts: {notes['together']}.")
-    seen = f"{math.degrees(turned):+.4g}°".replace("-", "−")
+    seen = minus(f"{math.degrees(turned):+.4g}°")
     return [*lines, f"In this run the plane turned by {seen}."]

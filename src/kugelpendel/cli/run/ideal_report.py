@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from kugelpendel.cli.terminal.describe import degrees, describe_launch, describe_pendulum, minus
-from kugelpendel.plot import significant, spell, spell_percent, spell_rate
+from kugelpendel.cli.terminal.describe import describe_launch, describe_pendulum
+from kugelpendel.spelling import degrees, significant, spell, spell_percent, spell_rate
 
 if TYPE_CHECKING:
     from kugelpendel.cli.job_file.job import Job
@@ -127,8 +127,7 @@ def _extent(answer: Answer) -> list[_Row]:
 def _tension(job: Job, answer: Answer) -> list[_Row]:
     negligible = 1e-12 * max(abs(tension) for tension in answer.tension)
     least, most = (
-        minus(significant(tension if abs(tension) > negligible else 0.0, 6))
-        for tension in answer.tension
+        significant(tension if abs(tension) > negligible else 0.0, 6) for tension in answer.tension
     )
     note = "" if job.has_mass else "for 1 kg; "
     if answer.slack_time < math.inf:

@@ -12,7 +12,7 @@ from kugelpendel.cli.run.budget import describe_pace, shares_table
 from kugelpendel.cli.run.clamp import clamp_notes, describe_clamp
 from kugelpendel.cli.terminal.describe import describe_launch, describe_pendulum
 from kugelpendel.cli.terminal.describe_forces import describe_forces
-from kugelpendel.plot import significant, spell, spell_percent, spell_rate
+from kugelpendel.spelling import significant, spell, spell_percent, spell_rate
 
 if TYPE_CHECKING:
     from kugelpendel.cli.job_file.job import Job
