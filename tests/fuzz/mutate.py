@@ -15,7 +15,7 @@ NUMBERS = (
 UNITS = (
     "m", "cm", "mm", "km", "ft", "in", "s", "ms", "min", "h", "d", "kg", "g", "lb", "deg", "rad",
     "°", "mrad", "m/s", "km/h", "m/s^2", "rad/s", "deg/h", "1/s", "1/m", "kg/m^3", "GPa", "parsec",
-    "furlong", "K", "eV", "", "%", "′", "″", "°N", "turn", "Mm", "µm", "nm", "[m]", "m**", "m^", "(",
+    "K", "eV", "", "%", "′", "″", "°N", "turn", "Mm", "µm", "nm", "[m]", "m**", "m^", "(",
 )  # fmt: skip
 LINES = (
     "[pendulum]", "[launch]", "[output]", "[site]", "[drag]", "[drive]", "[swing]", "[questions]",
@@ -28,7 +28,7 @@ LINES = (
 
 
 def bases(kind: str) -> list[str]:
-    """The examples, made short, so that a mutated one is done in no time unless it asks for more."""
+    """The examples, made short: a mutated one is done in no time unless it asks for more."""
     folder = REPOSITORY / "examples"
     paths = sorted(folder.glob("*.toml")) if kind == "run" else sorted(folder.glob("design/*.toml"))
     return [_short(path.read_text(encoding="utf-8")) for path in paths]

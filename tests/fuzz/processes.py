@@ -58,7 +58,7 @@ def process_fault(command: str, data: bytes, encoding: str) -> str | None:
 
 
 def kill_faults(count: int, seed: int, tick: Callable[[], None]) -> list[str]:
-    """Kill a job at any moment: the old files or the new ones are whole, and the next run cleans."""
+    """Kill a job at any moment: the old files or the new are whole, the next run cleans."""
     chance = random.Random(seed)
     found: list[str] = []
     folder = Path(tempfile.mkdtemp(prefix="fuzz-"))

@@ -20,9 +20,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description="Hand spoilt input to every door.")
     parser.add_argument("--seed", type=int, default=20261126)
     parser.add_argument("--files", type=int, default=10_000, help="in this process")
-    parser.add_argument(
-        "--processes", type=int, default=300, help="files in processes of their own"
-    )
+    parser.add_argument("--processes", type=int, default=300, help="files in processes")
     parser.add_argument("--calls", type=int, default=5000, help="calls from Python")
     parser.add_argument("--kills", type=int, default=40, help="of a job that runs")
     options = parser.parse_args()
