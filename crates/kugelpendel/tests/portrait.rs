@@ -244,7 +244,7 @@ fn averaged(pendulum: Pendulum, ellipse: [f64; 3], forces: Forces, time: f64) ->
     let motion = EnvelopeMotion::at_apsis(pendulum, ellipse, forces, Drive::Absent, true).unwrap();
     let times: Vec<f64> = (0..=2000).map(|k| time * f64::from(k) / 2000.0).collect();
     let mut azimuth = vec![0.0; times.len()];
-    motion.fill(Envelope::Azimuth, &times, &mut azimuth, &mut EnvelopeWalks::default()).unwrap();
+    motion.fill(Envelope::Azimuth, &times, &mut azimuth, &mut EnvelopeWalks::default(), &|| false).unwrap();
     let turned = azimuth.iter().map(|value| value - azimuth[0]);
     (azimuth[2000] - azimuth[0], turned.map(f64::abs).fold(0.0, f64::max))
 }
