@@ -11,7 +11,7 @@ use std::collections::HashMap;
 use std::sync::Mutex;
 
 /// Motions that are integrated at once before anyone asks for an interruption.
-const GROUP: usize = 256;
+pub(crate) const GROUP: usize = 256;
 
 /// Motions in a row, each with how far it has been integrated.
 #[pyclass(frozen, module = "kugelpendel._core")]
@@ -118,11 +118,11 @@ impl RealMotions {
 
 /// A signal, such as Ctrl-C, that Python wants to raise.
 #[derive(Default)]
-struct Signal(Mutex<Option<PyErr>>);
+pub(crate) struct Signal(Mutex<Option<PyErr>>);
 
 impl Signal {
     /// Only the main thread ever sees one.
-    fn arrived(&self) -> bool {
+    pub(crate) fn arrived(&self) -> bool {
         let raised = Python::attach(|py| py.check_signals()).err();
         let arrived = raised.is_some();
         if arrived {
@@ -131,7 +131,7 @@ impl Signal {
         arrived
     }
 
-    fn raised(self) -> PyResult<()> {
+    pub(crate) fn raised(self) -> PyResult<()> {
         lock(&self.0).take().map_or(Ok(()), Err)
     }
 }
