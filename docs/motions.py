@@ -117,7 +117,7 @@ def shown(error: float) -> str:
     """Two digits, in per cent; nothing that is noise."""
     if abs(error) < 1e-11:
         return "< 1e−9 %"
-    return f"{significant(100 * error, 2)} %".replace("e-0", "e-").replace("-", "−")
+    return f"{significant(100 * error, 2)} %".replace("e−0", "e−")
 
 
 def table(head: list[str], rows: list[list[str]]) -> str:
