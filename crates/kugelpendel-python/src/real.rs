@@ -1,7 +1,8 @@
 //! Real motions: flat arrays in, flat arrays out.
 
 use crate::columns::{Columns, Numbers, launcher, new_array};
-use kugelpendel::{Drive, Event, Forces, Halt, Invalid, Pendulum, Quantity, RealMotion, Thread, Walks};
+use crate::meaning::event;
+use kugelpendel::{Drive, Forces, Halt, Invalid, Pendulum, Quantity, RealMotion, Thread, Walks};
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -116,18 +117,11 @@ impl RealMotions {
         &self,
         py: Python<'py>,
         kind: &str,
-        azimuth: f64,
+        value: f64,
         between: [f64; 2],
         most: usize,
     ) -> PyResult<Numbers<'py>> {
-        let event = match kind {
-            "outer" => Event::Outer,
-            "inner" => Event::Inner,
-            "azimuth" => Event::Azimuth(azimuth),
-            "slack" => Event::Slack,
-            "taut" => Event::Taut,
-            _ => return Err(PyValueError::new_err(format!("there is no event {kind:?}"))),
-        };
+        let event = event(kind, value)?;
         let Some(Ok(motion)) = self.motions.first() else {
             return Err(PyValueError::new_err("there is no motion"));
         };

@@ -1,5 +1,6 @@
 """How it moves: every motion has the one interface of `Motion`."""
 
+from kugelpendel.motion._base import EventKind as EventKind
 from kugelpendel.motion._base import Motion as Motion
 from kugelpendel.motion._cubic import CubicMotion as CubicMotion
 from kugelpendel.motion._envelope import EnvelopeMotion as EnvelopeMotion

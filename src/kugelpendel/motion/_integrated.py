@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
-from functools import cached_property
-from typing import ClassVar
+from abc import abstractmethod
+from collections.abc import Iterable
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kugelpendel import _core
+from kugelpendel.motion._base import Motion
 from kugelpendel.motion._exact import ExactMotion
+from kugelpendel.motion._kept import kept
 from kugelpendel.motion._times import checked_grid, checked_times
-from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum
+from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars
 
 
-class IntegratedMotion(ABC):
+class IntegratedMotion(Motion):
     """A motion in the plan view by an equation r̈ = −Λr, integrated by Taylor series of order 24.
 
     In an ensemble, a case that has ended is NaN from there on; a single motion raises.
@@ -39,6 +41,43 @@ class IntegratedMotion(ABC):
         columns = (np.broadcast_to(value, self.shape) for value in pendulum.values)
         self._pendulums = np.stack(list(columns), axis=-1).reshape(-1, 3)
 
+    def _arguments(self) -> dict[str, Any]:
+        return {"pendulum": self.pendulum, "launch": self.launch}
+
+    def _problems(self) -> Iterable[tuple[int, str]]:
+        # Those of the launch, and what starts above the support.
+        refused = dict(enumerate(self._exact.reason.ravel().tolist()))
+        for index in np.flatnonzero(~np.isfinite(self._starts).all(axis=-1)).tolist():
+            above = f"{type(self).__name__} starts on the lower half of the sphere."
+            yield index, refused[index] or above
+
+    @kept
+    def _rates(self) -> tuple[Scalars, Scalars]:
+        rates = np.full((self._count, 2), np.nan)
+        for index in self._cases():
+            motion = self[np.unravel_index(index, self.shape)] if self.shape else self
+            half_swing = float(motion._exact.radial_period)
+            found = _core.measured_rates(motion._states, half_swing)
+            rates[index] = [np.nan if rate is None else rate for rate in found]
+        return self._constant(rates[:, 0].copy()), self._constant(rates[:, 1].copy())
+
+    @property
+    def frequency(self) -> Scalars:
+        """ω of the swing in the turning frame, rad/s: measured at 65 outer turning points.
+
+        NaN on a circle and at rest, which show no turning points. Raises InvalidInput where the
+        motion ends before.
+        """
+        return self._rates[0]
+
+    @property
+    def precession(self) -> Scalars:
+        """Ω of that frame, rad/s, positive counter-clockwise seen from above: measured likewise.
+
+        NaN where less than 1e-9 rad is turned in 64 half swings; else as `frequency`.
+        """
+        return self._rates[1]
+
     @property
     def pendulum(self) -> Pendulum:
         """What swings."""
@@ -54,7 +93,7 @@ class IntegratedMotion(ABC):
         """Of the ensemble; () for a single motion."""
         return self._exact.shape
 
-    @cached_property
+    @kept
     def _ends(self) -> tuple[float, float]:
         first, last = -np.inf, np.inf
         periods = np.broadcast_to(self._exact.radial_period, self.shape).reshape(-1)
@@ -91,10 +130,6 @@ class IntegratedMotion(ABC):
         """Positions at start + step·k: m, shape (*shape, count, 3)."""
         size = checked_grid(start, step, count, 3 * self._count)
         return self._filled(start + step * np.arange(size), velocity=False)
-
-    @property
-    def _count(self) -> int:
-        return len(self._starts)
 
     def _cases(self) -> NDArray[np.intp]:
         return np.flatnonzero(np.isfinite(self._starts).all(axis=-1))

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from functools import cached_property
-from math import inf, isfinite
+from collections.abc import Iterable
+from math import inf
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from kugelpendel import _core
+from kugelpendel.motion._base import one_number
 from kugelpendel.motion._pumping import refuse_pumping
 from kugelpendel.motion._surrounded import Surrounded
 from kugelpendel.motion._surroundings import Surroundings
@@ -24,16 +25,12 @@ from kugelpendel.parameters import (
     Pendulum,
     Site,
     Suspension,
-    as_numbers,
 )
 
 Thread: TypeAlias = Literal["ends", "flies", "rod"]
-Event: TypeAlias = Literal["outer", "inner", "azimuth", "slack", "taut"]
 
 _THREADS = ("ends", "flies", "rod")
-_EVENTS = ("outer", "inner", "azimuth", "slack", "taut")
 _FINEST = 1e-17
-_MOST = 10_000_000
 
 
 class RealMotion(Surrounded):
@@ -104,7 +101,7 @@ class RealMotion(Surrounded):
             raise InvalidInput(
                 f"The thread must be one of {', '.join(map(repr, _THREADS))}, but it is {thread!r}."
             )
-        tolerance = _one_number(tolerance, "The tolerance", "")
+        tolerance = one_number(tolerance, "The tolerance", "")
         if not 0 < tolerance <= 1e-3:
             raise InvalidInput(
                 f"The tolerance must lie between 0 and 1e-3, but it is {tolerance:g}; leave it out "
@@ -123,21 +120,14 @@ class RealMotion(Surrounded):
             thread,
             tolerance,
         )
-        if self.shape == ():
-            for _, sentence in self._motions.problems():
-                raise InvalidInput(sentence)
+        self._refuse_bad()
 
-    def __reduce__(self) -> tuple[type[RealMotion], tuple[Pendulum, Launch], dict[str, Any]]:
-        around = self._around
-        options: dict[str, Any] = {
-            "site": around.site, "drag": around.drag, "suspension": around.suspension,
-            "bob": around.bob, "drive": around.drive, "thread": self._thread,
-            "tolerance": self._tolerance,
-        }  # fmt: skip
-        return (RealMotion, (around.pendulum, around.launch), options)
+    def _arguments(self) -> dict[str, Any]:
+        options = {"thread": self._thread, "tolerance": self._tolerance}
+        return {**super()._arguments(), **options}
 
-    def __setstate__(self, options: dict[str, Any]) -> None:
-        self.__init__(self.pendulum, self.launch, **options)
+    def _problems(self) -> Iterable[tuple[int, str]]:
+        return self._motions.problems()
 
     @property
     def thread(self) -> Thread:
@@ -158,11 +148,6 @@ class RealMotion(Surrounded):
         times a single motion says when, an ensemble gives NaN.
         """
         return (0.0 if self.drive is not None or self.thread == "flies" else -inf, inf)
-
-    @cached_property
-    def reason(self) -> NDArray[np.str_]:
-        """Why a case of the ensemble is bad, "" where it is good: shape `shape`."""
-        return self._reasons(self._motions.problems())
 
     @property
     def trust(self) -> str:
@@ -196,73 +181,14 @@ class RealMotion(Surrounded):
         times = self._times(t, 1)
         return self._shaped(*self._motions.tension(times.ravel()), times)
 
-    def events(self, kind: Event, start: float, stop: float, value: float | None = None) -> Numbers:
-        """Times of an event between two times, s, to the last bits: shape (n,).
+    @property
+    def _first_event(self) -> float:
+        return 0.0
 
-        Parameters
-        ----------
-        kind
-            "outer" (farthest from the axis), "inner" (closest approach), "azimuth" (the bob passes
-            an azimuth, either way), "slack" (the thread's pull reaches zero) or "taut" (it is
-            straight again after a flight).
-        start, stop
-            s, 0 ≤ start ≤ stop; both belong to the interval.
-        value
-            rad, the azimuth to pass; only for "azimuth".
-
-        Raises
-        ------
-        InvalidInput
-            For an unknown kind, an azimuth left out or given in vain, times that make no sense, and
-            an ensemble.
-        """
-        azimuth = self._checked_event(kind, value)
-        first, last = _one_number(start, "The start", "s"), _one_number(stop, "The stop", "s")
-        if not 0 <= first <= last < inf:
-            raise InvalidInput(
-                f"Events are looked for between 0 s ≤ start ≤ stop, but from {first} s to {last} s."
-            )
-        return self._motions.events(kind, azimuth, (first, last), _MOST)
-
-    def next_event(
-        self, kind: Event, after: float = 0.0, within: float = 3600.0, value: float | None = None
-    ) -> float:
-        """The first time of an event later than `after`, s.
-
-        Looks `within` s ahead; raises InvalidInput where it does not come, and as `events`.
-        """
-        azimuth = self._checked_event(kind, value)
-        first, ahead = _one_number(after, "after", "s"), _one_number(within, "within", "s")
-        if not (first >= 0 and 0 < ahead < inf and isfinite(first)):
-            raise InvalidInput(
-                f"An event is looked for within a positive time after a time ≥ 0 s, but within "
-                f"{ahead} s after {first} s."
-            )
-        later = float(np.nextafter(first, inf))
-        times = self._motions.events(kind, azimuth, (later, first + ahead), 1)
-        if times.size == 0:
-            raise InvalidInput(
-                f'The event "{kind}" does not come within {ahead:.6g} s after {first:.6g} s; look '
-                f"further with within=…, or the motion may never have it."
-            )
-        return float(times[0])
-
-    def _checked_event(self, kind: str, value: float | None) -> float:
-        if self.shape != ():
-            raise InvalidInput(
-                f"Events are those of a single motion, but this is an ensemble of shape "
-                f"{self.shape}; ask its motions one by one."
-            )
-        if kind not in _EVENTS:
-            names = ", ".join(map(repr, _EVENTS))
-            raise InvalidInput(f"The event must be one of {names}, but it is {kind!r}.")
-        if (kind == "azimuth") != (value is not None):
-            which = "needs" if value is None else "does not take"
-            raise InvalidInput(f'The event "{kind}" {which} a value, the azimuth in rad.')
-        azimuth = 0.0 if value is None else _one_number(value, "The azimuth", "rad")
-        if not isfinite(azimuth):
-            raise InvalidInput(f"The azimuth must be finite, but it is {azimuth} rad.")
-        return azimuth
+    def _find_events(
+        self, kind: str, value: float, between: tuple[float, float], most: int
+    ) -> Numbers:
+        return self._motions.events(kind, value, between, most)
 
     def _times(self, t: ArrayLike, numbers_each: int) -> Numbers:
         times = checked_times(t, numbers_each * self._around.count)
@@ -282,10 +208,3 @@ class RealMotion(Surrounded):
                 f'fly on: thread="flies", or thread="rod".'
             )
         return flat.reshape((*self.shape, *times.shape, *tail))
-
-
-def _one_number(given: float, name: str, unit: str) -> float:
-    value = as_numbers(given, name, unit)
-    if not isinstance(value, float):
-        raise InvalidInput(f"{name} must be one number, but it is {given!r}.")
-    return value

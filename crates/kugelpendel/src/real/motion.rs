@@ -10,7 +10,7 @@ use crate::numbers::arithmetic::{Arithmetic, Portable, dispatch};
 use crate::numbers::double_double::{Dd, Pair};
 use crate::real::sphere::Sphere;
 use crate::real::walk::Walk;
-use crate::taylor::events::{Beside, Event, Guard, Outward, crossings};
+use crate::taylor::events::{Beside, Beyond, Crossings, Event, Guard, Outward, Sinking, crossings};
 use crate::taylor::series::{FINEST, Point};
 
 /// From where, and under which forces.
@@ -126,6 +126,10 @@ impl RealMotion {
         stop: Stop<'_>,
     ) -> Result<Vec<f64>, Halt> {
         let mut found = Vec::new();
+        let event = match event {
+            Event::Radius(radius) => Event::Radius(radius / self.pendulum.length),
+            other => other,
+        };
         let walk = self.walk(walks, 0, self.dimensionless(start));
         let mut steps = 0;
         loop {
@@ -253,14 +257,17 @@ fn happen_with<A: Arithmetic>(_: A, walk: &Walk, event: Event) -> Vec<f64> {
         Event::Azimuth(azimuth) => {
             let (sin, cos) = azimuth.sin_cos();
             let beside = Beside(series, [cos, sin]);
-            let [up, down] = [true, false].map(|upwards| crossings::<A>(&beside, *size, upwards));
-            let mut times = [up.times(), down.times()].concat();
+            let mut times = either_way([true, false].map(|upwards| crossings::<A>(&beside, *size, upwards)));
             times.retain(|time| {
                 let [x, y, _, _] = series.place_at::<Portable>(*time);
                 x * cos + y * sin > 0.0
             });
-            times.sort_by(f64::total_cmp);
             times
+        }
+        Event::Bottom => crossings::<A>(&Sinking(series), *size, false).times().to_vec(),
+        Event::Radius(radius) => {
+            let beyond = Beyond(series, radius);
+            either_way([true, false].map(|upwards| crossings::<A>(&beyond, *size, upwards)))
         }
         Event::Slack if walk.slackens() => vec![*size],
         Event::Slack if !walk.free && !series.guard_holds(*size) => {
@@ -269,4 +276,11 @@ fn happen_with<A: Arithmetic>(_: A, walk: &Walk, event: Event) -> Vec<f64> {
         Event::Taut if walk.tautens() => vec![*size],
         Event::Slack | Event::Taut => Vec::new(),
     }
+}
+
+/// Passages in either direction, in order.
+fn either_way(passages: [Crossings; 2]) -> Vec<f64> {
+    let mut times: Vec<f64> = passages.iter().flat_map(|crossings| crossings.times().iter().copied()).collect();
+    times.sort_by(f64::total_cmp);
+    times
 }

@@ -10,8 +10,12 @@ pub enum Event {
     Outer,
     /// Closest approach to the axis.
     Inner,
+    /// Lowest.
+    Bottom,
     /// The bob passes this azimuth, rad, either way.
     Azimuth(f64),
+    /// The bob passes this distance from the axis, m, either way.
+    Radius(f64),
     /// The thread goes slack.
     Slack,
     /// The thread is taut again.
@@ -55,6 +59,16 @@ impl<A: Arithmetic> Watched<A> for Beside<'_> {
     fn value(&self, since: f64) -> f64 {
         let [x, y, _, _] = self.0.place_at::<A>(since);
         y * self.1[0] - x * self.1[1]
+    }
+}
+
+/// Rate of z: from above zero downwards at the lowest point.
+pub(crate) struct Sinking<'a>(pub(crate) &'a Series);
+
+impl<A: Arithmetic> Watched<A> for Sinking<'_> {
+    #[inline(always)]
+    fn value(&self, since: f64) -> f64 {
+        self.0.at::<A>(since).rate[2]
     }
 }
 

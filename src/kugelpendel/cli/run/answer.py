@@ -81,9 +81,9 @@ def find(motion: kp.ExactMotion) -> Answer:
     a, b = known.outer, sense * known.inner
     formula_25 = frequency_26 = None
     if regime in ("cone", "ellipse"):
-        formula_25 = float(kp.precession_rate(a, b, known.length, gravity))
+        formula_25 = float(kp.olsson.precession(a, b, known.length, gravity))
     if regime in ("cone", "ellipse", "plane") and not known.rises_above:
-        frequency_26 = float(kp.swing_frequency(a, b, known.length, gravity))
+        frequency_26 = float(kp.olsson.frequency(a, b, known.length, gravity))
     turns = regime in ("ellipse", "above") and turning != 0
     azimuth_rate = abs(known.precession) + known.frequency
     return Answer(
