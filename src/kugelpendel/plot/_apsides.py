@@ -11,7 +11,7 @@ import numpy as np
 from kugelpendel.plot import _ink
 from kugelpendel.plot._constants import Constants
 from kugelpendel.plot._turning import apsidal_times, turned_azimuth, turning_rate
-from kugelpendel.plot._units import spell_percent, spell_rate, unit_for
+from kugelpendel.spelling import spell_percent, spell_rate, unit_for
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

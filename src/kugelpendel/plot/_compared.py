@@ -16,7 +16,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
 
 from kugelpendel.plot import _ink
-from kugelpendel.plot._units import spell, unit_for
+from kugelpendel.spelling import spell, unit_for
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

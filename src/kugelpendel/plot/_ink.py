@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.colors import LinearSegmentedColormap, Normalize
 
-from kugelpendel.plot._units import unit_for
+from kugelpendel.spelling import unit_for
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kugelpendel.plot._constants import Constants
-from kugelpendel.plot._units import spell
+from kugelpendel.spelling import spell
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -11,7 +11,7 @@ import numpy as np
 
 from kugelpendel.plot import _ink
 from kugelpendel.plot._constants import Constants
-from kugelpendel.plot._units import significant, spell, unit_for
+from kugelpendel.spelling import significant, spell, unit_for
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -11,7 +11,7 @@ import numpy as np
 
 from kugelpendel.plot import _ink
 from kugelpendel.plot._constants import Constants
-from kugelpendel.plot._units import unit_for
+from kugelpendel.spelling import unit_for
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from kugelpendel.cli.terminal.describe import degrees, describe_launch, describe_pendulum, minus
-from kugelpendel.plot import significant, spell, spell_percent, spell_rate
+from kugelpendel.cli.terminal.describe import describe_launch, describe_pendulum
+from kugelpendel.spelling import degrees, minus, significant, spell, spell_percent, spell_rate
 
 if TYPE_CHECKING:
     from kugelpendel.cli.job_file.job import Job
