@@ -19,8 +19,8 @@ from kugelpendel.cli.job_file.job import read_job
 from kugelpendel.cli.run.findings import envelope
 from kugelpendel.cli.run.real import real_motion
 from kugelpendel.observables import osculating_ellipse
-from kugelpendel.spelling import spell
 from kugelpendel.plot._ink import INNER, OUTER, QUIET, STYLE, TEXT
+from kugelpendel.spelling import spell
 
 HOUR = 3600.0
 DAY = 86400.0

@@ -154,7 +154,8 @@ class EnvelopeMotion(Surrounded):
             warnings.warn(self._caution(name, strength), stacklevel=2)
 
     def _arguments(self) -> dict[str, Any]:
-        return {**super()._arguments(), "exact": self._exact}
+        other = {} if self._exact else {"exact": False}
+        return {**super()._arguments(), **other}
 
     def _problems(self) -> Iterable[tuple[int, str]]:
         return self._motions.problems()

@@ -48,6 +48,8 @@ def short(name: str, arguments: dict[str, Any]) -> str:
     for index, (key, value) in reversed(list(enumerate(arguments.items()))):
         if len(_call(name, parts)) <= _WIDTH:
             break
+        if not hasattr(value, "shape"):
+            continue
         label = "" if key in ("pendulum", "launch") else f"{key}="
         parts[index] = f"{label}{type(value).__name__}(…)"
     return _call(name, parts)

@@ -123,8 +123,9 @@ class RealMotion(Surrounded):
         self._refuse_bad()
 
     def _arguments(self) -> dict[str, Any]:
-        options = {"thread": self._thread, "tolerance": self._tolerance}
-        return {**super()._arguments(), **options}
+        options = {"thread": (self._thread, "ends"), "tolerance": (self._tolerance, _FINEST)}
+        other = {name: value for name, (value, usual) in options.items() if value != usual}
+        return {**super()._arguments(), **other}
 
     def _problems(self) -> Iterable[tuple[int, str]]:
         return self._motions.problems()

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
-from math import isnan
 from typing import Literal, TypeAlias
 
 from kugelpendel import _core
-from kugelpendel.motion import ExactMotion
-from kugelpendel.parameters import InvalidInput, Numbers
+from kugelpendel.motion import ExactMotion, Motion
+from kugelpendel.parameters import InvalidInput
 
 Regime: TypeAlias = Literal[
     "rest", "balance", "separatrix", "plane", "rotation", "cone", "ellipse", "above"
@@ -22,7 +22,7 @@ class IdealSummary:
     Attributes
     ----------
     motion
-        The motion that this is about: a single one.
+        The exact motion that this is about: a single one.
     regime
         "rest"; "balance" (at rest on top); "separatrix" (never comes back); "plane" (to and fro) or
         "rotation" (over the top) in a vertical plane; "cone" (below the support, turning heights
@@ -62,13 +62,19 @@ class IdealSummary:
     frequency_26: float | None
 
     @classmethod
-    def of(cls, motion: ExactMotion) -> IdealSummary:
-        """Read all of it off a single motion. Raises InvalidInput for an ensemble."""
+    def of(cls, motion: Motion) -> IdealSummary:
+        """Read all of it off the ideal motion that starts like a single motion does.
+
+        That is the exact motion itself, or that of the `effective_pendulum` from the same launch.
+        Raises InvalidInput for an ensemble.
+        """
         if motion.shape != ():
             raise InvalidInput(
                 f"One motion can be shown at a time, and this is an ensemble of shape "
                 f"{motion.shape}; pick one of its motions, motion[0] for instance."
             )
+        if not isinstance(motion, ExactMotion):
+            motion = ExactMotion(motion.effective_pendulum, motion.launch)
         regime, sense, rates, largest_angle, formula_25, frequency_26 = motion.summary()
         swing_period, turning, whole_turns, full_turn, once_round = rates
         return cls(
@@ -81,8 +87,8 @@ class IdealSummary:
             full_turn=full_turn,
             once_round=once_round,
             largest_angle=largest_angle,
-            formula_25=None if isnan(formula_25) else formula_25,
-            frequency_26=None if isnan(frequency_26) else frequency_26,
+            formula_25=None if math.isnan(formula_25) else formula_25,
+            frequency_26=None if math.isnan(frequency_26) else frequency_26,
         )
 
     @property
@@ -121,6 +127,13 @@ class IdealSummary:
         return float(self.motion.precession)
 
     @property
+    def fastest(self) -> float:
+        """Largest of ω0, ω and the angular velocity of the thread at the lowest point, rad/s."""
+        energy = float(self.motion.energy)
+        rest = float(self.motion.pendulum.angular_frequency)
+        return max(rest, self.frequency, math.sqrt(2 * energy) / self.length)
+
+    @property
     def rises_above(self) -> bool:
         """Whether the path rises above the support."""
         return self.high > self.length
@@ -152,21 +165,6 @@ class IdealSummary:
     def slack_time(self) -> float:
         """When a thread first goes slack, s after the launch; inf for never."""
         return float(self.motion.slack_time)
-
-    def apsidal_times(self, until: float, most: int) -> Numbers:
-        """Times of outer turning points, s, at most so many, evenly spread up to `until`.
-
-        Empty where there are none: at rest, on the separatrix, or when the first comes too late.
-        """
-        return self.motion.apsidal_times(until, most)
-
-    def turned(self, times: Numbers) -> Numbers:
-        """Azimuth of outer turning points at these times since the first of them, rad, unwrapped.
-
-        From exact positions; half a turn between successive outer turning points is taken off, or a
-        whole one as `whole_turns` says.
-        """
-        return self.motion.turned(times)
 
     @staticmethod
     def _error(approximate: float | None, truth: float) -> float | None:
