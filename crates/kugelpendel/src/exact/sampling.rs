@@ -78,8 +78,9 @@ impl Plan {
                 let crossed = A::round(sum + small);
                 let fraction = (sum - crossed) + small;
                 // Of the swings completed only oddness counts: each turns the frame by half a turn more.
-                let completed = A::round(time.hi * swings.hi) + crossed;
-                let odd = 0.5 * completed.rem_euclid(2.0);
+                // They are counted in two parts, since beyond 2^53 the sum of the two would be rounded to an even number.
+                let whole_swings = A::round(time.hi * swings.hi);
+                let odd = 0.5 * (whole_swings.rem_euclid(2.0) + crossed.rem_euclid(2.0)).rem_euclid(2.0);
                 let twist = chart.twist();
                 let (whole, rest) = turns::fraction::<A>(frame, time);
                 let direction = turns::cos_sin::<A>(whole, rest + (self.turn + twist * fraction) + odd);
