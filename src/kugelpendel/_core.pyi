@@ -129,6 +129,7 @@ def events_on_a_grid(
     kind: str,
     value: float,
     between: tuple[float, float],
+    span: tuple[float, float],
     step: float,
     most: int,
     pendulum: Sequence[float],

@@ -173,18 +173,20 @@ pub(crate) fn measured_rates(states: &Bound<'_, PyAny>, half_swing: f64) -> PyRe
 
 /// Times of an event of a motion that is asked likewise.
 #[pyfunction]
+#[allow(clippy::too_many_arguments)]
 pub(crate) fn events_on_a_grid<'py>(
     states: &Bound<'py, PyAny>,
     kind: &str,
     value: f64,
     between: [f64; 2],
+    span: [f64; 2],
     step: f64,
     most: usize,
     pendulum: [f64; 3],
 ) -> PyResult<Numbers<'py>> {
     let [length, gravity, mass] = pendulum;
     let pendulum = Pendulum { length, gravity, mass };
-    let found = kugelpendel::events_on_a_grid(event(kind, value)?, between, step, most, &pendulum, |times| {
+    let found = kugelpendel::events_on_a_grid(event(kind, value)?, between, span, step, most, &pendulum, |times| {
         states.py().check_signals()?;
         asked(states, times)
     })?;

@@ -355,7 +355,9 @@ class Motion(ABC):
         point = self.effective_pendulum
         step = np.pi / (_GRID * float(point.angular_frequency))
         pendulum = [float(number) for number in point.values]
-        return _core.events_on_a_grid(self._states, kind, value, between, step, most, pendulum)
+        return _core.events_on_a_grid(
+            self._states, kind, value, between, self.span, step, most, pendulum
+        )
 
     def _states(self, times: Numbers) -> tuple[Numbers, Numbers]:
         """Position and velocity at the same times."""

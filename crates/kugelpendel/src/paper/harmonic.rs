@@ -148,7 +148,8 @@ impl HarmonicMotion {
             return Vec::new();
         }
         let step = PI / (24.0 * self.frequency);
-        let Ok(times) = events_on_a_grid(event, between, step, most, &self.pendulum, states);
+        let Ok(times) =
+            events_on_a_grid(event, between, [f64::NEG_INFINITY, f64::INFINITY], step, most, &self.pendulum, states);
         times
     }
 
