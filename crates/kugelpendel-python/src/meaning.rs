@@ -146,6 +146,16 @@ pub(crate) fn relative_error(approximate: f64, truth: f64) -> Option<f64> {
     kugelpendel::relative_error(approximate, truth)
 }
 
+/// Up to which of the ascending sizes no error exceeds a level: 0 for none, infinite for all.
+#[pyfunction]
+pub(crate) fn reach(sizes: PyReadonlyArray1<'_, f64>, worst: PyReadonlyArray1<'_, f64>, level: f64) -> PyResult<f64> {
+    let (sizes, worst) = (sizes.as_slice()?, worst.as_slice()?);
+    if sizes.len() != worst.len() {
+        return Err(PyValueError::new_err("sizes and errors do not go together"));
+    }
+    Ok(kugelpendel::reach(sizes, worst, level))
+}
+
 /// |b|, or that of the narrowest ellipse of this outer turning radius that shows a precession: columns a, b.
 #[pyfunction]
 pub(crate) fn widened<'py>(

@@ -36,7 +36,7 @@ pub use given::invalid::Invalid;
 pub use given::launch::{Launch, TOLERANCE};
 pub use given::pendulum::Pendulum;
 pub use meaning::azimuth::{nearest, unwrap, unwrap_at};
-pub use meaning::compare::{EllipseRates, SWINGS, distances, relative_error};
+pub use meaning::compare::{EllipseRates, SWINGS, distances, reach, relative_error};
 pub use meaning::ellipse::Ellipse;
 pub use meaning::events::{StateVector, events_on_a_grid};
 pub use meaning::measured::{MeasuredRates, PlanState, measured_rates};

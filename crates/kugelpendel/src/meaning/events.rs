@@ -1,8 +1,8 @@
 //! When something happens to a motion: between the extremes of its closed form, or on a grid of any motion's states.
 
 use crate::exact::motion::ExactMotion;
-use crate::exact::phase::Clock;
-use crate::exact::plan::Plan;
+use crate::exact::phase::Phase;
+use crate::exact::sampling::Plan;
 use crate::given::pendulum::Pendulum;
 use crate::given::times::{Quantity, Times};
 use crate::numbers::arithmetic::Portable;
@@ -46,15 +46,15 @@ impl Timetable {
         let turning = &motion.invariants.turning;
         let above = turning.high > 1.0;
         let bottom = Extreme { share: 0.0, outer: false, lowest: true };
-        match motion.clock() {
-            Clock::Still => Self::Once(Vec::new()),
-            Clock::Once { rate, start } => {
+        match motion.phase() {
+            Phase::Still => Self::Once(Vec::new()),
+            Phase::Once { rate, start } => {
                 // On the separatrix the support's level is where tan φ = √(s/(2 − s)) = sinh h is 1.
                 let level = 1.0_f64.asinh();
                 let at = |h: f64, outer| Extreme { share: (h - start) / rate, outer, lowest: !outer };
                 Self::Once(vec![at(-level, true), at(0.0, false), at(level, true)])
             }
-            Clock::Periodic { swings, start, .. } => {
+            Phase::Periodic { swings, start, .. } => {
                 let mut extremes = vec![bottom];
                 if above {
                     let level = motion.share_at_height(1.0);

@@ -15,7 +15,7 @@ use crate::meaning::olsson;
 use crate::numbers::arithmetic::{Arithmetic, Portable, dispatch, horner};
 use crate::numbers::double_double::Dd;
 use crate::sampling::blocks::{Form, SwingAndFrame, blocks};
-use crate::sampling::rotations::{Rotations, half, rotations};
+use crate::sampling::blocks::{Rotations, half, rotations};
 use crate::taylor::events::Event;
 use std::convert::Infallible;
 use std::f64::consts::{PI, TAU};
