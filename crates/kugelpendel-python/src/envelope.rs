@@ -1,7 +1,9 @@
 //! Averaged motions: flat arrays in, flat arrays out.
 
 use crate::columns::{Columns, Numbers, launcher, new_array};
-use crate::real::{drive, forces, lock, problems};
+use crate::real::{drive, forces};
+use crate::signal::lock;
+use crate::stepped::problems;
 use kugelpendel::{Envelope, EnvelopeMotion, EnvelopeWalks, Invalid, Pendulum, Quantity};
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;

@@ -38,8 +38,10 @@ pub use numbers::arithmetic::fused;
 pub use paper::equations::Equation;
 pub use paper::harmonic::{HarmonicMotion, MAX_POWER, Powers};
 pub use paper::integrated::IntegratedMotion;
-pub use real::motion::{Halt, RealMotion, Stop, Walks};
+pub use real::motion::RealMotion;
 pub use taylor::events::Event;
+pub use taylor::step::Ending;
+pub use taylor::walk::{Halt, Passage, Readings, StateVector, Stop, Walk, steps_taken};
 
 pub use exact::spectrum::{Harmonic, Spectrum};
 pub use given::times::{Quantity, Times};

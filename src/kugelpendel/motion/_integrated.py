@@ -2,42 +2,44 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from kugelpendel import _core
 from kugelpendel.motion._exact import ExactMotion
-from kugelpendel.motion._times import checked_grid, checked_times
+from kugelpendel.motion._walk import SteppedMotion
 from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum
 
 
-class IntegratedMotion(ABC):
-    """A motion in the plan view by an equation r̈ = −Λr, integrated by Taylor series of order 24.
+class IntegratedMotion(SteppedMotion):
+    """A motion in the plan view by an equation r̈ = −Λr, integrated by Taylor series of order 20.
 
-    In an ensemble, a case that has ended is NaN from there on; a single motion raises.
-    Every request is integrated from t = 0 on, forwards and backwards, so it takes time in
-    proportion to the span and keeps nothing; z lies on the lower half of the sphere.
+    In an ensemble, a case that has ended is NaN from there on; a single motion raises. z lies on
+    the lower half of the sphere, and the tension is m·g·Λ.
     """
 
     _equation: ClassVar[str]
 
     def __init__(self, pendulum: Pendulum, launch: Launch):
-        self._exact = ExactMotion(pendulum, launch)
-        place, velocity = self._exact.position(0.0), self._exact.velocity(0.0)
-        below = place[..., 2] > 0
-        if self.shape == () and not below:
+        self._exact = exact = ExactMotion(pendulum, launch)
+        if exact.shape == () and not (height := exact.position(0.0)[2]) > 0:
             raise InvalidInput(
                 f"{type(self).__name__} starts on the lower half of the sphere, but this launch "
-                f"lies {-place[2]:.6g} m above the support; use ExactMotion."
+                f"lies {-height:.6g} m above the support; use ExactMotion."
             )
-        start = np.concatenate([place[..., :2], velocity[..., :2]], axis=-1)
-        self._starts = np.where(below[..., np.newaxis], start, np.nan).reshape(-1, 4)
-        columns = (np.broadcast_to(value, self.shape) for value in pendulum.values)
-        self._pendulums = np.stack(list(columns), axis=-1).reshape(-1, 3)
+        self._motions = _core.IntegratedMotions(
+            self._count,
+            [self._column(value) for value in pendulum.values],
+            (launch.kind, [self._column(value) for value in launch.values]),
+            self._equation,
+        )
+
+    def __reduce__(self) -> tuple[type[IntegratedMotion], tuple[Pendulum, Launch]]:
+        return (type(self), (self.pendulum, self.launch))
 
     @property
     def pendulum(self) -> Pendulum:
@@ -51,66 +53,46 @@ class IntegratedMotion(ABC):
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Of the ensemble; () for a single motion."""
+        """Shape of the ensemble; () for a single motion."""
         return self._exact.shape
 
     @cached_property
-    def _ends(self) -> tuple[float, float]:
-        first, last = -np.inf, np.inf
-        periods = np.broadcast_to(self._exact.radial_period, self.shape).reshape(-1)
-        for k in self._cases():
-            pendulum, start = self._pendulums[k].tolist(), self._starts[k].tolist()
-            # Radially both laws are periodic, with nearly the exact period: what ends, ends soon.
-            within = 2 * min(float(periods[k]), 1e3)
-            begin, end = _core.integrated_span(pendulum, self._equation, start, within)
-            first, last = max(first, begin), min(last, end)
-        return (first, last)
-
-    @property
     def span(self) -> tuple[float, float]:
         """First and last time, s, for which all motions of the ensemble can be asked.
 
-        Until a bob reaches the height of the support.
+        A motion ends where the bob reaches the height of the support.
         """
-        return self._ends
+        # Radially both laws are periodic, with nearly the exact period: what ends, ends soon.
+        within = 2 * np.minimum(self._column(self._exact.radial_period), 1e3)
+        spans = self._motions.spans(within).reshape(-1, 2)
+        spans = spans[~np.isnan(spans).any(axis=-1)]
+        first, last = spans[:, 0].max(initial=-np.inf), spans[:, 1].min(initial=np.inf)
+        return (float(first), float(last))
+
+    @cached_property
+    def reason(self) -> NDArray[np.str_]:
+        """Why a case of the ensemble is bad, "" where it is good: shape `shape`."""
+        sentences = [""] * self._count
+        for index, sentence in self._motions.problems():
+            sentences[index] = sentence
+        return np.array(sentences, dtype=np.str_).reshape(self.shape)
 
     @property
     @abstractmethod
     def trust(self) -> str:
         """Where the motion holds."""
 
-    def position(self, t: ArrayLike) -> Numbers:
-        """Position from the support, m, z down: shape (*shape, *t.shape, 3)."""
-        return self._filled(t, velocity=False)
+    def _column(self, value: float | Numbers) -> Numbers:
+        if isinstance(value, float):
+            return np.array([value])
+        return np.ascontiguousarray(np.broadcast_to(value, self.shape).ravel())
 
-    def velocity(self, t: ArrayLike) -> Numbers:
-        """Velocity, m/s: shape (*shape, *t.shape, 3)."""
-        return self._filled(t, velocity=True)
+    def _check_times(self, times: Numbers) -> None:
+        """All times are good: these motions can be followed backwards too."""
 
-    def sample(self, start: float, step: float, count: int) -> Numbers:
-        """Positions at start + step·k: m, shape (*shape, count, 3)."""
-        size = checked_grid(start, step, count, 3 * self._count)
-        return self._filled(start + step * np.arange(size), velocity=False)
-
-    @property
-    def _count(self) -> int:
-        return len(self._starts)
-
-    def _cases(self) -> NDArray[np.intp]:
-        return np.flatnonzero(np.isfinite(self._starts).all(axis=-1))
-
-    def _filled(self, t: ArrayLike, *, velocity: bool) -> Numbers:
-        times = checked_times(t, 3 * self._count)
-        rows = np.full((self._count, 3 * times.size), np.nan)
-        for k in self._cases():
-            pendulum, start = self._pendulums[k].tolist(), self._starts[k].tolist()
-            rows[k], end = _core.integrated(
-                pendulum, self._equation, start, times.ravel(), velocity
-            )
-            if end is not None and self.shape == ():
-                raise InvalidInput(
-                    f"{type(self).__name__} ends at {end:.6g} s, where the bob reaches the height "
-                    f"of the support; asked for are times from {times.min():.6g} s to "
-                    f"{times.max():.6g} s. Keep to its span, or use ExactMotion."
-                )
-        return rows.reshape(*self.shape, *times.shape, 3)
+    def _end_sentence(self, end: float, why: str, times: Numbers) -> str:
+        return (
+            f"{type(self).__name__} ends at {end:.6g} s, where the bob reaches the height of the "
+            f"support; asked for are times from {times.min():.6g} s to {times.max():.6g} s. Keep "
+            f"to its span, or use ExactMotion."
+        )

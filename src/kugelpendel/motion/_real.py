@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from functools import cached_property
-from math import inf, isfinite
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from kugelpendel import _core
 from kugelpendel.motion._pumping import refuse_pumping
 from kugelpendel.motion._surrounded import Surrounded
 from kugelpendel.motion._surroundings import Surroundings
-from kugelpendel.motion._times import checked_grid, checked_times
+from kugelpendel.motion._walk import SteppedMotion, one_number
 from kugelpendel.parameters import (
     Bob,
     Drag,
@@ -24,19 +23,15 @@ from kugelpendel.parameters import (
     Pendulum,
     Site,
     Suspension,
-    as_numbers,
 )
 
 Thread: TypeAlias = Literal["ends", "flies", "rod"]
-Event: TypeAlias = Literal["outer", "inner", "azimuth", "slack", "taut"]
 
 _THREADS = ("ends", "flies", "rod")
-_EVENTS = ("outer", "inner", "azimuth", "slack", "taut")
 _FINEST = 1e-17
-_MOST = 10_000_000
 
 
-class RealMotion(Surrounded):
+class RealMotion(Surrounded, SteppedMotion):
     """A pendulum on the turning Earth, in air, on an imperfect suspension, driven or not.
 
     The full equations on the sphere, integrated by Taylor series of order 20 with dense output.
@@ -79,8 +74,9 @@ class RealMotion(Surrounded):
     periods (tests/motion/real/test_real.py); the error grows like t^1.5. The bob is on the sphere
     and its velocity tangent to it, to rounding, at every step. Speeds below 1e-9 lω0 feel quadratic
     drag as if they were that fast.
-    Every request is integrated from t = 0, or goes on from where the last one stopped if it begins
-    no earlier; the result is the same. Memory does not grow with the span.
+    Every request goes on from the last of the checkpoints that lie on the way (`walk`), so asking
+    in any order, for one thing or another, costs what is new; the bits are the same as from the
+    launch. Memory does not grow with the span. Ctrl-C ends every call within 0.2 s.
     Sources: Olsson (1981), eq. (4), with the Coriolis force, drag and the suspension's anisotropy
     added; Jorba & Zou, Experimental Mathematics 14, 99 (2005) for the integration. Signs and forms
     of the forces are in docs/conventions.md.
@@ -104,7 +100,7 @@ class RealMotion(Surrounded):
             raise InvalidInput(
                 f"The thread must be one of {', '.join(map(repr, _THREADS))}, but it is {thread!r}."
             )
-        tolerance = _one_number(tolerance, "The tolerance", "")
+        tolerance = one_number(tolerance, "The tolerance", "")
         if not 0 < tolerance <= 1e-3:
             raise InvalidInput(
                 f"The tolerance must lie between 0 and 1e-3, but it is {tolerance:g}; leave it out "
@@ -151,13 +147,19 @@ class RealMotion(Surrounded):
 
     @property
     def span(self) -> tuple[float, float]:
-        """First and last time, s, for which the motion can be asked, as far as it is known.
+        """First and last time, s, between which all motions of the ensemble can be asked.
 
         A push or a jerk of the thread cannot be undone, so a driven pendulum and one that flies
-        begin with their launch. A thread that "ends" may end the motion earlier: asked for later
-        times a single motion says when, an ensemble gives NaN.
+        begin with their launch. A thread that "ends" ends the motion where it goes slack, forwards
+        or backwards, and backwards in time quadratic drag may let the speed grow beyond all bounds.
+        Such ends are looked for over the first 100 000 steps (some thousand swings) each way; later
+        ones are known once the motion has been followed so far. A free pendulum with too little
+        energy to come near the height of its support has no end.
         """
-        return (0.0 if self.drive is not None or self.thread == "flies" else -inf, inf)
+        spans = self._motions.spans().reshape(-1, 2)
+        spans = spans[~np.isnan(spans).any(axis=-1)]
+        first, last = spans[:, 0].max(initial=-np.inf), spans[:, 1].min(initial=np.inf)
+        return (float(first), float(last))
 
     @cached_property
     def reason(self) -> NDArray[np.str_]:
@@ -169,123 +171,22 @@ class RealMotion(Surrounded):
         """Where the motion holds."""
         return "Everywhere, as far as the forces are known; errors of the integration grow slowly."
 
-    def position(self, t: ArrayLike) -> Numbers:
-        """Position from the support, m, z down: shape (*shape, *t.shape, 3).
-
-        Raises InvalidInput for times that are not finite or before the span, and for a single
-        motion that has ended; in an ensemble it is NaN from its end on.
-        """
-        times = self._times(t, 3)
-        return self._shaped(*self._motions.position(times.ravel()), times, 3)
-
-    def velocity(self, t: ArrayLike) -> Numbers:
-        """Velocity, m/s: shape (*shape, *t.shape, 3); t and errors as in `position`."""
-        times = self._times(t, 3)
-        return self._shaped(*self._motions.velocity(times.ravel()), times, 3)
-
-    def sample(self, start: float, step: float, count: int) -> Numbers:
-        """Positions at start + step·k: m, shape (*shape, count, 3); errors as in `position`."""
-        size = checked_grid(start, step, count, 3 * self._around.count)
-        return self.position(float(start) + float(step) * np.arange(size))
-
-    def tension(self, t: ArrayLike) -> Numbers:
-        """Pull of the thread, N: shape (*shape, *t.shape); errors as in `position`.
-
-        0 in flight, negative where a rod pushes. Without the weight of the thread itself.
-        """
-        times = self._times(t, 1)
-        return self._shaped(*self._motions.tension(times.ravel()), times)
-
-    def events(self, kind: Event, start: float, stop: float, value: float | None = None) -> Numbers:
-        """Times of an event between two times, s, to the last bits: shape (n,).
-
-        Parameters
-        ----------
-        kind
-            "outer" (farthest from the axis), "inner" (closest approach), "azimuth" (the bob passes
-            an azimuth, either way), "slack" (the thread's pull reaches zero) or "taut" (it is
-            straight again after a flight).
-        start, stop
-            s, 0 ≤ start ≤ stop; both belong to the interval.
-        value
-            rad, the azimuth to pass; only for "azimuth".
-
-        Raises
-        ------
-        InvalidInput
-            For an unknown kind, an azimuth left out or given in vain, times that make no sense, and
-            an ensemble.
-        """
-        azimuth = self._checked_event(kind, value)
-        first, last = _one_number(start, "The start", "s"), _one_number(stop, "The stop", "s")
-        if not 0 <= first <= last < inf:
-            raise InvalidInput(
-                f"Events are looked for between 0 s ≤ start ≤ stop, but from {first} s to {last} s."
-            )
-        return self._motions.events(kind, azimuth, (first, last), _MOST)
-
-    def next_event(
-        self, kind: Event, after: float = 0.0, within: float = 3600.0, value: float | None = None
-    ) -> float:
-        """The first time of an event later than `after`, s.
-
-        Looks `within` s ahead; raises InvalidInput where it does not come, and as `events`.
-        """
-        azimuth = self._checked_event(kind, value)
-        first, ahead = _one_number(after, "after", "s"), _one_number(within, "within", "s")
-        if not (first >= 0 and 0 < ahead < inf and isfinite(first)):
-            raise InvalidInput(
-                f"An event is looked for within a positive time after a time ≥ 0 s, but within "
-                f"{ahead} s after {first} s."
-            )
-        later = float(np.nextafter(first, inf))
-        times = self._motions.events(kind, azimuth, (later, first + ahead), 1)
-        if times.size == 0:
-            raise InvalidInput(
-                f'The event "{kind}" does not come within {ahead:.6g} s after {first:.6g} s; look '
-                f"further with within=…, or the motion may never have it."
-            )
-        return float(times[0])
-
-    def _checked_event(self, kind: str, value: float | None) -> float:
-        if self.shape != ():
-            raise InvalidInput(
-                f"Events are those of a single motion, but this is an ensemble of shape "
-                f"{self.shape}; ask its motions one by one."
-            )
-        if kind not in _EVENTS:
-            names = ", ".join(map(repr, _EVENTS))
-            raise InvalidInput(f"The event must be one of {names}, but it is {kind!r}.")
-        if (kind == "azimuth") != (value is not None):
-            which = "needs" if value is None else "does not take"
-            raise InvalidInput(f'The event "{kind}" {which} a value, the azimuth in rad.')
-        azimuth = 0.0 if value is None else _one_number(value, "The azimuth", "rad")
-        if not isfinite(azimuth):
-            raise InvalidInput(f"The azimuth must be finite, but it is {azimuth} rad.")
-        return azimuth
-
-    def _times(self, t: ArrayLike, numbers_each: int) -> Numbers:
-        times = checked_times(t, numbers_each * self._around.count)
-        first = self.span[0]
-        if times.size and times.min() < first:
+    def _check_times(self, times: Numbers) -> None:
+        is_one_way = self.drive is not None or self.thread == "flies"
+        if is_one_way and times.size and times.min() < 0:
             raise InvalidInput(
                 f"A driven or flying pendulum cannot be followed back before its launch, but "
                 f"asked for is {times.min():.6g} s."
             )
-        return times
 
-    def _shaped(self, flat: Numbers, ends: Numbers, times: Numbers, *tail: int) -> Numbers:
-        if self.shape == () and np.isfinite(ends[0]):
-            raise InvalidInput(
-                f"The thread goes slack at {ends[0]:.9g} s, where the motion ends; asked for are "
-                f"times from {times.min():.6g} s to {times.max():.6g} s. Keep between, or let it "
-                f'fly on: thread="flies", or thread="rod".'
+    def _end_sentence(self, end: float, why: str, times: Numbers) -> str:
+        asked = f"asked for are times from {times.min():.6g} s to {times.max():.6g} s"
+        if why == "runaway":
+            return (
+                f"The speed grows beyond all bounds towards {end:.9g} s, where the motion ends; "
+                f"{asked}. Keep between: quadratic drag lets no motion come from further back."
             )
-        return flat.reshape((*self.shape, *times.shape, *tail))
-
-
-def _one_number(given: float, name: str, unit: str) -> float:
-    value = as_numbers(given, name, unit)
-    if not isinstance(value, float):
-        raise InvalidInput(f"{name} must be one number, but it is {given!r}.")
-    return value
+        return (
+            f"The thread goes slack at {end:.9g} s, where the motion ends; {asked}. Keep between, "
+            f'or let it fly on: thread="flies", or thread="rod".'
+        )

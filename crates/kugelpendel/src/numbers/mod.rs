@@ -3,4 +3,5 @@
 pub(crate) mod arithmetic;
 pub(crate) mod double_double;
 pub(crate) mod elliptic;
+pub(crate) mod roots;
 pub(crate) mod turns;
