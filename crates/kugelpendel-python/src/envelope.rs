@@ -40,7 +40,8 @@ impl EnvelopeMotions {
         let cases = (0..count).map(|index| {
             let [length, gravity, mass] = pendulum.row(index);
             let pendulum = Pendulum { length, gravity, mass };
-            let driven = self::drive(drive.0, &driving, index)?;
+            let [push, when] = driving.row(index);
+            let driven = self::drive(drive.0, push, when)?;
             Ok((pendulum, make(&values, index), self::forces(&acting, index), driven))
         });
         let cases = cases.collect::<PyResult<Vec<_>>>()?;

@@ -31,12 +31,10 @@ impl IntegratedMotions {
             .ok_or_else(|| PyValueError::new_err(format!("there is no launch of kind {:?}", launch.0)))?;
         let pendulum = Columns::checked(&pendulum, 3, count)?;
         let values = Columns::checked(&launch.1, width, count)?;
-        let case = |index: usize| {
+        let motions = made(py, count, |index| {
             let [length, gravity, mass] = pendulum.row(index);
-            (Pendulum { length, gravity, mass }, make(&values, index))
-        };
-        let cases = (0..count).map(case).collect();
-        let motions = made(py, cases, |(pendulum, launch)| IntegratedMotion::new(pendulum, equation, launch))?;
+            IntegratedMotion::new(Pendulum { length, gravity, mass }, equation, make(&values, index))
+        })?;
         Ok(Self(Stepped::new(motions)))
     }
 
@@ -85,8 +83,6 @@ impl IntegratedMotions {
 
     /// First and last time of each motion, if it ends within a time of its own, s.
     fn spans<'py>(&self, py: Python<'py>, within: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {
-        let within = within.as_slice()?;
-        let of = |index: usize| if within.len() == 1 { within[0] } else { within[index] };
-        self.0.spans(py, |index, motion, walk, stop| motion.span(of(index), walk, stop))
+        self.0.spans(py, &within, IntegratedMotion::span)
     }
 }

@@ -7,7 +7,7 @@ use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-/// How far the ends of a motion are looked for, in steps: some hundred milliseconds of work.
+/// Steps over which the ends of a motion are looked for: some hundred milliseconds of work.
 const LOOKED: u64 = 100_000;
 
 /// Real motions in a row.
@@ -23,9 +23,8 @@ pub(crate) fn forces(columns: &Columns<'_>, index: usize) -> Forces {
     Forces { damping, quadratic, rotation, anisotropy, axis, damping_anisotropy, damping_axis }
 }
 
-/// The drive of one row: its push, and the phase or the radius, as `kind` says.
-pub(crate) fn drive(kind: &str, columns: &Columns<'_>, index: usize) -> PyResult<Drive> {
-    let [push, when] = columns.row(index);
+/// A drive with a push and a phase or a radius, as `kind` says.
+pub(crate) fn drive(kind: &str, push: f64, when: f64) -> PyResult<Drive> {
     match kind {
         "" => Ok(Drive::Absent),
         "phase" => Ok(Drive::Phase { push, phase: when }),
@@ -62,14 +61,13 @@ impl RealMotions {
         let values = Columns::checked(&launch.1, width, count)?;
         let acting = Columns::checked(&forces, 8, count)?;
         let driving = Columns::checked(&drive.1, 2, count)?;
-        let case = |index: usize| {
+        self::drive(drive.0, 0.0, 0.0)?;
+        let motions = made(py, count, |index| {
             let [length, gravity, mass] = pendulum.row(index);
             let pendulum = Pendulum { length, gravity, mass };
-            Ok((pendulum, make(&values, index), self::forces(&acting, index), self::drive(drive.0, &driving, index)?))
-        };
-        let cases = (0..count).map(case).collect::<PyResult<Vec<_>>>()?;
-        let motions = made(py, cases, |(pendulum, launch, forces, drive)| {
-            RealMotion::new(pendulum, launch, forces, drive, thread, tolerance)
+            let [push, when] = driving.row(index);
+            let driven = self::drive(drive.0, push, when).unwrap_or_default();
+            RealMotion::new(pendulum, make(&values, index), self::forces(&acting, index), driven, thread, tolerance)
         })?;
         Ok(Self(Stepped::new(motions)))
     }
@@ -117,8 +115,8 @@ impl RealMotions {
         self.0.leg(py, &times, &events, between, most, within)
     }
 
-    /// First and last time of each motion, as far as they are known or near.
-    fn spans<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
-        self.0.spans(py, |_, motion, walk, stop| motion.span(LOOKED, walk, stop))
+    /// First and last time of each motion; ends are looked for over a time of its own, s, and not for ever.
+    fn spans<'py>(&self, py: Python<'py>, within: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {
+        self.0.spans(py, &within, |motion, within, walk, stop| motion.span(within, LOOKED, walk, stop))
     }
 }

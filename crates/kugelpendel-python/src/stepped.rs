@@ -165,15 +165,20 @@ impl<M: Readable> Stepped<M> {
         Ok((read, until, end, why, position, velocity, tension, found))
     }
 
-    /// The spans of the motions, two numbers to each, NaN for the bad ones.
+    /// The spans of the motions, two numbers to each, NaN for the bad ones; `within` is one time in s or one for each.
     pub(crate) fn spans<'py>(
         &self,
         py: Python<'py>,
-        span: impl Fn(usize, &M, &mut Walk, Stop<'_>) -> Result<[f64; 2], Halt> + Sync,
+        within: &PyReadonlyArray1<'py, f64>,
+        span: impl Fn(&M, f64, &mut Walk, Stop<'_>) -> Result<[f64; 2], Halt> + Sync,
     ) -> PyResult<Numbers<'py>> {
+        let within = within.as_slice()?;
         let signal = Signal::default();
         let one = |index: usize, stop: Stop<'_>| match &self.motions[index] {
-            Ok(motion) => span(index, motion, &mut lock(&self.walks[index]), stop).unwrap_or([f64::NAN; 2]),
+            Ok(motion) => {
+                let within = if within.len() == 1 { within[0] } else { within[index] };
+                span(motion, within, &mut lock(&self.walks[index]), stop).unwrap_or([f64::NAN; 2])
+            }
             Err(_) => [f64::NAN; 2],
         };
         let count = self.motions.len();
@@ -190,19 +195,19 @@ impl<M: Readable> Stepped<M> {
 }
 
 /// Makes many motions at once without holding the interpreter, unless a signal arrives.
-pub(crate) fn made<C: Send, M: Send>(
+pub(crate) fn made<M: Send>(
     py: Python<'_>,
-    cases: Vec<C>,
-    make: impl Fn(C) -> Result<M, Invalid> + Sync,
+    count: usize,
+    make: impl Fn(usize) -> Result<M, Invalid> + Sync,
 ) -> PyResult<Vec<Result<M, Invalid>>> {
-    if cases.len() == 1 {
-        return Ok(cases.into_iter().map(make).collect());
+    if count == 1 {
+        return Ok(vec![make(0)]);
     }
     let signal = Signal::default();
     let motions = py.detach(|| {
         signal.watch(|| {
-            let cases = cases.into_par_iter().with_min_len(64);
-            cases.map(|case| (!signal.has_arrived()).then(|| make(case))).while_some().collect()
+            let all = (0..count).into_par_iter().with_min_len(64);
+            all.map(|index| (!signal.has_arrived()).then(|| make(index))).while_some().collect()
         })
     });
     signal.raised()?;

@@ -12,6 +12,8 @@ from kugelpendel.motion._pumping import refuse_pumping as refuse_pumping
 from kugelpendel.motion._real import RealMotion as RealMotion
 from kugelpendel.motion._series import SeriesMotion as SeriesMotion
 from kugelpendel.motion._spectrum import Spectrum as Spectrum
+from kugelpendel.motion._walk import AskedEvent as AskedEvent
+from kugelpendel.motion._walk import EventKind as EventKind
 from kugelpendel.motion._walk import Leg as Leg
 from kugelpendel.motion._walk import Passages as Passages
 from kugelpendel.motion._walk import SteppedMotion as SteppedMotion

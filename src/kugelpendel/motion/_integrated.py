@@ -56,18 +56,18 @@ class IntegratedMotion(SteppedMotion):
         """Shape of the ensemble; () for a single motion."""
         return self._exact.shape
 
-    @cached_property
+    @property
     def span(self) -> tuple[float, float]:
         """First and last time, s, for which all motions of the ensemble can be asked.
 
         A motion ends where the bob reaches the height of the support.
         """
+        return self._ends
+
+    @cached_property
+    def _ends(self) -> tuple[float, float]:
         # Radially both laws are periodic, with nearly the exact period: what ends, ends soon.
-        within = 2 * np.minimum(self._column(self._exact.radial_period), 1e3)
-        spans = self._motions.spans(within).reshape(-1, 2)
-        spans = spans[~np.isnan(spans).any(axis=-1)]
-        first, last = spans[:, 0].max(initial=-np.inf), spans[:, 1].min(initial=np.inf)
-        return (float(first), float(last))
+        return self._span_within(2 * np.minimum(self._column(self._exact.radial_period), 1e3))
 
     @cached_property
     def reason(self) -> NDArray[np.str_]:

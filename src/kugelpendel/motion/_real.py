@@ -29,6 +29,8 @@ Thread: TypeAlias = Literal["ends", "flies", "rod"]
 
 _THREADS = ("ends", "flies", "rod")
 _FINEST = 1e-17
+_LOOKED = 1000
+"""Small swings over which an end is looked for."""
 
 
 class RealMotion(Surrounded, SteppedMotion):
@@ -152,14 +154,12 @@ class RealMotion(Surrounded, SteppedMotion):
         A push or a jerk of the thread cannot be undone, so a driven pendulum and one that flies
         begin with their launch. A thread that "ends" ends the motion where it goes slack, forwards
         or backwards, and backwards in time quadratic drag may let the speed grow beyond all bounds.
-        Such ends are looked for over the first 100 000 steps (some thousand swings) each way; later
-        ones are known once the motion has been followed so far. A free pendulum with too little
-        energy to come near the height of its support has no end.
+        Such ends are looked for over a thousand small swings each way, or 100 000 steps if those
+        are fewer; later ones are known once the motion has been followed so far. A free pendulum
+        with too little energy to come near the height of its support has no end.
         """
-        spans = self._motions.spans().reshape(-1, 2)
-        spans = spans[~np.isnan(spans).any(axis=-1)]
-        first, last = spans[:, 0].max(initial=-np.inf), spans[:, 1].min(initial=np.inf)
-        return (float(first), float(last))
+        swings = 2 * np.pi * _LOOKED / np.asarray(self.angular_frequency)
+        return self._span_within(np.ravel(swings))
 
     @cached_property
     def reason(self) -> NDArray[np.str_]:

@@ -14,8 +14,8 @@ from numpy.typing import ArrayLike
 from kugelpendel.motion._times import checked_grid, checked_times
 from kugelpendel.parameters import InvalidInput, Numbers, as_numbers
 
-Event: TypeAlias = Literal["outer", "inner", "bottom", "azimuth", "radius", "slack", "taut"]
-Asked: TypeAlias = Event | tuple[Event, float]
+EventKind: TypeAlias = Literal["outer", "inner", "bottom", "azimuth", "radius", "slack", "taut"]
+AskedEvent: TypeAlias = EventKind | tuple[EventKind, float]
 
 _VALUES = {"azimuth": "rad", "radius": "m"}
 """Events that need a value, and its unit."""
@@ -77,13 +77,15 @@ class Leg:
     position: Numbers
     velocity: Numbers
     tension: Numbers
-    events: Mapping[Asked, Passages]
+    events: Mapping[AskedEvent, Passages]
     ending: str
 
 
 class _Core(Protocol):
     """What the motions of the core that are integrated have in common."""
 
+    def problems(self) -> list[tuple[int, str]]: ...
+    def spans(self, within: Numbers) -> Numbers: ...
     def position(self, times: Numbers) -> tuple[Numbers, Numbers, str]: ...
     def velocity(self, times: Numbers) -> tuple[Numbers, Numbers, str]: ...
     def tension(self, times: Numbers) -> tuple[Numbers, Numbers, str]: ...
@@ -162,7 +164,9 @@ class SteppedMotion(ABC):
         """
         return Walk(self, one_number(start, "The start", "s"))
 
-    def events(self, kind: Event, start: float, stop: float, value: float | None = None) -> Numbers:
+    def events(
+        self, kind: EventKind, start: float, stop: float, value: float | None = None
+    ) -> Numbers:
         """Times of an event between two times, s, to the last bits: shape (n,).
 
         Parameters
@@ -192,7 +196,11 @@ class SteppedMotion(ABC):
         return self._find(event, (first, last), _MOST)
 
     def next_event(
-        self, kind: Event, after: float = 0.0, within: float = 3600.0, value: float | None = None
+        self,
+        kind: EventKind,
+        after: float = 0.0,
+        within: float = 3600.0,
+        value: float | None = None,
     ) -> float:
         """The first time of an event later than `after`, s.
 
@@ -212,6 +220,12 @@ class SteppedMotion(ABC):
                 f"further with within=…, or the motion may never have it."
             )
         return float(times[0])
+
+    def _span_within(self, within: Numbers) -> tuple[float, float]:
+        """Between which times all good motions go on, their ends looked for so many s each way."""
+        spans = self._motions.spans(within).reshape(-1, 2)
+        spans = spans[~np.isnan(spans).any(axis=-1)]
+        return (float(spans[:, 0].max(initial=-inf)), float(spans[:, 1].min(initial=inf)))
 
     def _find(self, event: tuple[str, float], between: tuple[float, float], most: int) -> Numbers:
         found = self._motions.leg(np.empty(0), [event], between, most, None)[-1]
@@ -243,9 +257,7 @@ class SteppedMotion(ABC):
         self._check_times(times)
         return times
 
-    def _shaped(
-        self, filled: tuple[Numbers, Numbers, str], times: Numbers, *tail: int
-    ) -> Numbers:
+    def _shaped(self, filled: tuple[Numbers, Numbers, str], times: Numbers, *tail: int) -> Numbers:
         flat, ends, why = filled
         if self.shape == () and np.isfinite(ends[0]):
             raise InvalidInput(self._end_sentence(float(ends[0]), why, times))
@@ -304,7 +316,7 @@ class Walk:
         self,
         until: float,
         times: ArrayLike = (),
-        events: Sequence[Asked] = (),
+        events: Sequence[AskedEvent] = (),
         *,
         within: float | None = None,
     ) -> Leg:

@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 
 import kugelpendel as kp
 from kugelpendel import _core
-from kugelpendel.motion import SteppedMotion
+from kugelpendel.motion import AskedEvent, EventKind, SteppedMotion
 
 METRE = kp.Pendulum(length=1.0, gravity=9.81)
 
@@ -65,7 +65,7 @@ class TestSteps:
                 motion.position(stretch)
                 motion.velocity(stretch)
 
-        assert 400 < whole
+        assert whole > 400
         assert steps(in_turn) <= 2.5 * whole  # reached: 2.0
 
     def test_any_mixture_over_ascending_stretches(self, make: Callable[[], SteppedMotion]) -> None:
@@ -104,9 +104,11 @@ class TestSteps:
             assert steps(lambda t=t: motion.position(t)) <= whole / 400 + 2
 
     @pytest.mark.parametrize("kind", [kp.PlaneMotion, kp.CubicMotion])
-    def test_late_times_cost_what_early_ones_do(self, kind: type[SteppedMotion]) -> None:
+    def test_late_times_cost_what_early_ones_do(
+        self, kind: type[kp.PlaneMotion | kp.CubicMotion]
+    ) -> None:
         """Ten thousand points after 24 h: at most twice what they cost at the launch."""
-        motion = kind(kp.Pendulum(67.0, 9.81), kp.Launch.apsides(3.0, 1.0))  # type: ignore[call-arg]
+        motion = kind(kp.Pendulum(67.0, 9.81), kp.Launch.apsides(3.0, 1.0))
         span = np.linspace(0.0, 60.0, 10_000)
         early = steps(lambda: motion.position(span))
         motion.position(86_400.0)
@@ -125,7 +127,15 @@ class TestLegs:
     def test_are_what_is_asked_one_by_one(self, make: Callable[[], SteppedMotion]) -> None:
         times = np.linspace(0.0, 50.0, 501)
         walk, apart = make().walk(), make()
-        asked = ("outer", "inner", "bottom", ("azimuth", 0.4), ("radius", 0.15), "slack", "taut")
+        asked: tuple[AskedEvent, ...] = (
+            "outer",
+            "inner",
+            "bottom",
+            ("azimuth", 0.4),
+            ("radius", 0.15),
+            "slack",
+            "taut",
+        )
         legs = [walk.to(s[-1], s, asked) for s in np.array_split(times, 7)]
         for name in ("position", "velocity", "tension"):
             together = np.concatenate([getattr(leg, name) for leg in legs])
@@ -134,7 +144,9 @@ class TestLegs:
             kind, value = event if isinstance(event, tuple) else (event, None)
             found = np.concatenate([leg.events[event].times for leg in legs])
             np.testing.assert_array_equal(found, apart.events(kind, 0.0, 50.0, value))
-            for name in ("position", "velocity", "tension"):
+            # Where the thread is taut again its jerk changes the velocity: the passage is before.
+            names = ("position",) if event == "taut" else ("position", "velocity", "tension")
+            for name in names:
                 there = np.concatenate([getattr(leg.events[event], name) for leg in legs])
                 # Their time is rounded to a binary64 number.
                 np.testing.assert_allclose(there, getattr(apart, name)(found), rtol=0, atol=1e-11)
@@ -160,7 +172,8 @@ class TestLegs:
         assert len(legs) > 5
         position = np.concatenate([leg.position for leg in legs])
         np.testing.assert_array_equal(position, motion.position(times))
-        for event in ("outer", "bottom"):
+        kinds: tuple[EventKind, ...] = ("outer", "bottom")
+        for event in kinds:
             found = np.concatenate([leg.events[event].times for leg in legs])
             np.testing.assert_array_equal(found, motion.events(event, 0.0, 100.0))
 
@@ -175,7 +188,7 @@ class TestLegs:
 
     def test_ends_with_the_motion(self) -> None:
         launch = kp.Launch.angles(0.0, 0.0, 6.5)
-        end = kp.ExactMotion(METRE, launch).slack_time
+        end = float(kp.ExactMotion(METRE, launch).slack_time)
         walk = kp.RealMotion(METRE, launch).walk()
         times = np.linspace(0.0, 2 * end, 101)
         leg = walk.to(2 * end, times, ("slack",))
@@ -236,7 +249,7 @@ class TestEvents:
         assert 0 < bottom.size < inner.size
 
     def test_radius_is_passed_four_times_a_swing(self) -> None:
-        found = self.motion.events("radius", 0.0, 20 * self.exact.radial_period, value=0.25)
+        found = self.motion.events("radius", 0.0, 20 * float(self.exact.radial_period), value=0.25)
         assert found.size == 40
         radii = np.linalg.norm(self.exact.position(found)[:, :2], axis=-1)
         np.testing.assert_allclose(radii, 0.25, rtol=1e-13)
@@ -244,7 +257,10 @@ class TestEvents:
 
     def test_of_the_plan_view(self) -> None:
         motion = kp.PlaneMotion(METRE, kp.Launch.apsides(0.4, 0.1))
-        for kind, value in (("outer", None), ("bottom", None), ("azimuth", 1.0), ("radius", 0.3)):
+        events: tuple[tuple[EventKind, float | None], ...] = (
+            ("outer", None), ("bottom", None), ("azimuth", 1.0), ("radius", 0.3)
+        )  # fmt: skip
+        for kind, value in events:
             found = motion.events(kind, 0.1, 20.0, value)
             expected = self.motion.events(kind, 0.1, 20.0, value)
             np.testing.assert_allclose(found, expected, rtol=1e-13)
@@ -263,7 +279,7 @@ class TestEnds:
 
     def test_span_knows_where_the_thread_goes_slack(self) -> None:
         launch = kp.Launch.angles(0.0, 0.0, 6.5)
-        end = kp.ExactMotion(METRE, launch).slack_time
+        end = float(kp.ExactMotion(METRE, launch).slack_time)
         assert kp.RealMotion(METRE, launch).span == pytest.approx((-end, end), rel=1e-15)
         assert kp.RealMotion(METRE, launch, thread="rod").span == (-np.inf, np.inf)
         assert kp.RealMotion(METRE, launch, thread="flies").span == (0.0, np.inf)
@@ -271,20 +287,22 @@ class TestEnds:
         assert both.span == pytest.approx((-end, end), rel=1e-15)
 
     def test_a_free_swing_has_no_end_and_needs_no_search(self) -> None:
-        drag = kp.Drag(1e-4)
-        motion = kp.RealMotion(METRE, kp.Launch.ellipse(0.3, 0.1), site=kp.Site(0.8), drag=drag)
+        drag = kp.Drag(1e-3)
+        motion = kp.RealMotion(METRE, kp.Launch.ellipse(0.3, 0.0), site=kp.Site(0.8), drag=drag)
+        before = _core.steps_taken()
         assert motion.span[1] == np.inf
-        # Backwards the drag gives: 13 000 s earlier the bob came from the height of the support.
-        assert -20_000 < motion.span[0] < -5_000
-        assert motion.position(motion.span[0])[2] < 0.5
+        # Backwards the drag gives: some ln(1/0.3)/γ earlier the bob came from above the support.
+        assert -1600 < motion.span[0] < -1200
+        assert motion.position(motion.span[0])[2] < 0
+        assert _core.steps_taken() - before < 50_000
 
     def test_a_later_end_is_known_once_it_is_reached(self) -> None:
-        """A drive beyond the search: the thread goes slack after some hours."""
-        motion = kp.RealMotion(METRE, kp.Launch.ellipse(0.3, 0.1), drag=kp.Drag(2e-6))
+        """Beyond the search: backwards the drag lifts the bob, after some hours."""
+        motion = kp.RealMotion(METRE, kp.Launch.ellipse(0.3, 0.0), drag=kp.Drag(4e-5))
         assert motion.span[0] == -np.inf
         with pytest.raises(kp.InvalidInput, match="goes slack at -"):
-            motion.position(-3e6)
-        assert -3e6 < motion.span[0] < -3e5
+            motion.position(-1e5)
+        assert -1e5 < motion.span[0] < -1e4
 
     def test_backwards_in_time_quadratic_drag_may_have_no_past(self) -> None:
         motion = kp.RealMotion(
@@ -312,7 +330,7 @@ INTERRUPTED = {
         ".position(1e9)"
     ),
     "constructor": (
-        "kp.RealMotion(kp.Pendulum(1.0), kp.Launch.ellipse(np.linspace(0.1, 0.2, 10**7), 0.01))"
+        "kp.RealMotion(kp.Pendulum(1.0), kp.Launch.ellipse(np.linspace(0.1, 0.2, 3 * 10**6), 0.01))"
     ),
 }
 

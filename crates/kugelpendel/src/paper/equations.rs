@@ -3,7 +3,9 @@
 //! Dimensionless: lengths in l, time in 1/ω0. Both read r̈ = −Λ r with r = (x, y).
 
 use crate::numbers::arithmetic::Arithmetic;
-use crate::taylor::series::{Coefficients, VectorField, Point, RECIPROCALS, Series, dot, inner_terms, product, square, total};
+use crate::taylor::series::{
+    Coefficients, Point, RECIPROCALS, Series, VectorField, dot, inner_terms, product, square, total,
+};
 
 /// Which of the paper's two equations of motion is integrated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -55,7 +55,7 @@ impl IntegratedMotion {
     pub fn span(&self, period: f64, walk: &mut Walk, stop: Stop<'_>) -> Result<[f64; 2], Halt> {
         let within = period * self.omega0.hi;
         let over = |step: &Step| step.start.time.hi.abs() > within;
-        let mut end = |forwards| Ok(find_end(self, forwards, u64::MAX, walk, stop, over)?.map(|(time, _)| time));
+        let mut end = |forwards| Ok(find_end(self, forwards, walk, stop, over)?.map(|(time, _)| time));
         let (last, first) = (end(true)?, end(false)?);
         Ok([first.unwrap_or(f64::NEG_INFINITY), last.unwrap_or(f64::INFINITY)])
     }

@@ -53,19 +53,21 @@ impl RealMotion {
     /// The times in s between which the motion can be followed; the first is 0 for one that is driven or flies, since a
     /// push or a jerk cannot be undone.
     ///
-    /// Ends are looked for over so many steps each way. Forwards the search is over sooner for a free pendulum whose
+    /// Ends are looked for over so many s and steps each way. Forwards the search is over sooner for a free pendulum whose
     /// energy will never again lift it to the support: its thread stays taut.
     ///
     /// # Errors
     /// An interruption.
-    pub fn span(&self, most: u64, walk: &mut Walk, stop: Stop<'_>) -> Result<[f64; 2], Halt> {
+    pub fn span(&self, within: f64, most: u64, walk: &mut Walk, stop: Stop<'_>) -> Result<[f64; 2], Halt> {
         let Problem { drive, thread, .. } = &self.problem;
-        let settled = |step: &Step| *drive == Drive::Absent && self.problem.field.stays_below(&step.start.point);
-        let last = find_end(self, true, most, walk, stop, settled)?;
+        let within = within * self.omega0.hi;
+        let over = |step: &Step| step.start.count >= most || step.start.time.hi.abs() >= within;
+        let stays = |step: &Step| *drive == Drive::Absent && self.problem.field.stays_below(&step.start.point);
+        let last = find_end(self, true, walk, stop, |step| over(step) || stays(step))?;
         let first = if *drive != Drive::Absent || *thread == Thread::Flies {
             0.0
         } else {
-            find_end(self, false, most, walk, stop, |_| false)?.map_or(f64::NEG_INFINITY, |(time, _)| time)
+            find_end(self, false, walk, stop, over)?.map_or(f64::NEG_INFINITY, |(time, _)| time)
         };
         Ok([first, last.map_or(f64::INFINITY, |(time, _)| time)])
     }

@@ -7,7 +7,8 @@ use crate::given::forces::Forces;
 use crate::numbers::arithmetic::{Arithmetic, horner};
 use crate::taylor::events::{SpeedSquaredRate, first};
 use crate::taylor::series::{
-    Coefficients, ORDER, Point, RECIPROCALS, Series, Vector, VectorField, Vectors, dot, inner_terms, product, square, total,
+    Coefficients, ORDER, Point, RECIPROCALS, Series, Vector, VectorField, Vectors, dot, inner_terms, product, square,
+    total,
 };
 
 /// Speeds, in lω0, that quadratic drag does not tell from rest: |v| has no series at v = 0, √(v² + s²) has, and the

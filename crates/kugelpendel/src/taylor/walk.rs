@@ -60,7 +60,7 @@ pub struct Readings<'a> {
     pub events: &'a [Event],
     /// s, not before the launch: from when to when events are looked for, both ends included.
     pub between: [f64; 2],
-    /// The walk ends once it has found so many events.
+    /// The walk ends once it has found so many events; 0 where it need not go from the one time to the other.
     pub most: usize,
     /// For each of `events` what was found, in order.
     pub found: Vec<Vec<Passage>>,
@@ -234,7 +234,7 @@ fn sweep(
 ) -> Result<(), Halt> {
     let (omega0, times) = (motion.omega0(), readings.times);
     let mut order = order.peekable();
-    let mut looking = side == 0 && !readings.events.is_empty();
+    let mut looking = side == 0 && readings.most > 0;
     let [from, to] = readings.between;
     let first = match order.peek() {
         Some(&index) if looking => times[index].min(from),
@@ -328,17 +328,16 @@ fn look(motion: &impl Stepper, step: &Step, [from, to]: [f64; 2], readings: &mut
     }
 }
 
-/// Follows the motion until it ends, until `settled` says that it will not, or for so many steps; when and why it ends.
+/// Follows the motion until it ends or until enough has been seen: when and why it ends.
 ///
 /// # Errors
 /// An interruption.
 pub(crate) fn find_end(
     motion: &impl Stepper,
     forwards: bool,
-    most: u64,
     walk: &mut Walk,
     stop: Stop<'_>,
-    settled: impl Fn(&Step) -> bool,
+    enough: impl Fn(&Step) -> bool,
 ) -> Result<Option<(f64, Ending)>, Halt> {
     if let Some(known) = walk.ended(forwards) {
         return Ok(Some(known));
@@ -347,7 +346,7 @@ pub(crate) fn find_end(
     let mut progress = walk.seek(motion, usize::from(!forwards), Pair { hi: 0.0, lo: 0.0 });
     loop {
         let end = progress.end(omega0);
-        if end.is_some() || settled(&progress.side.step) || progress.side.step.start.count >= most {
+        if end.is_some() || enough(&progress.side.step) {
             return Ok(end);
         }
         progress.advance(motion);
