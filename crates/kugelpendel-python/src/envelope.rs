@@ -1,7 +1,9 @@
 //! Averaged motions: flat arrays in, flat arrays out.
 
 use crate::columns::{Columns, Numbers, launcher, new_array};
-use crate::real::{drive, forces, lock, problems};
+use crate::real::{drive, forces};
+use crate::signal::lock;
+use crate::stepped::problems;
 use kugelpendel::{Envelope, EnvelopeMotion, EnvelopeWalks, Invalid, Pendulum, Quantity};
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -38,7 +40,8 @@ impl EnvelopeMotions {
         let cases = (0..count).map(|index| {
             let [length, gravity, mass] = pendulum.row(index);
             let pendulum = Pendulum { length, gravity, mass };
-            let driven = self::drive(drive.0, &driving, index)?;
+            let [push, when] = driving.row(index);
+            let driven = self::drive(drive.0, push, when)?;
             Ok((pendulum, make(&values, index), self::forces(&acting, index), driven))
         });
         let cases = cases.collect::<PyResult<Vec<_>>>()?;

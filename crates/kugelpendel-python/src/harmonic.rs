@@ -2,7 +2,7 @@
 
 use crate::columns::{Columns, Numbers, launcher, new_array};
 use crate::meaning::event;
-use crate::real::problems;
+use crate::stepped::problems;
 use kugelpendel::{HarmonicLaw, HarmonicMotion, Invalid, MAX_POWER, Pendulum, Quantity, Times};
 use numpy::{IntoPyArray, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;

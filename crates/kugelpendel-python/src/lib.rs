@@ -8,6 +8,8 @@ mod harmonic;
 mod integrated;
 mod meaning;
 mod real;
+mod signal;
+mod stepped;
 
 use kugelpendel::Pendulum;
 use pyo3::prelude::*;
@@ -18,11 +20,19 @@ fn pendulum_problem(length: f64, gravity: f64, mass: f64) -> Option<String> {
     Pendulum { length, gravity, mass }.check().err().map(|invalid| invalid.to_string())
 }
 
+/// How many steps of integration this process has taken so far, in all motions together.
+#[pyfunction]
+fn steps_taken() -> u64 {
+    kugelpendel::steps_taken()
+}
+
 /// The compiled part of the Python package.
 #[pymodule]
 mod _core {
     #[pymodule_export]
     use super::pendulum_problem;
+    #[pymodule_export]
+    use super::steps_taken;
     #[pymodule_export]
     use crate::envelope::EnvelopeMotions;
     #[pymodule_export]
@@ -30,7 +40,7 @@ mod _core {
     #[pymodule_export]
     use crate::harmonic::HarmonicMotions;
     #[pymodule_export]
-    use crate::integrated::{integrated, integrated_span};
+    use crate::integrated::IntegratedMotions;
     #[pymodule_export]
     use crate::meaning::{
         distances, events_on_a_grid, measured_rates, olsson_frequency, olsson_precession, osculating_ellipses, reach,

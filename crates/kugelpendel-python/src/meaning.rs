@@ -175,7 +175,8 @@ pub(crate) fn widened<'py>(
 #[pyfunction]
 pub(crate) fn measured_rates(states: &Bound<'_, PyAny>, half_swing: f64) -> PyResult<(Option<f64>, Option<f64>)> {
     let plan = |times: &[f64]| -> PyResult<Vec<[f64; 4]>> {
-        Ok(asked(states, times)?.into_iter().map(|[x, y, _, vx, vy, _]| [x, y, vx, vy]).collect())
+        let plan = |StateVector { position: [x, y, _], velocity: [vx, vy, _] }| [x, y, vx, vy];
+        Ok(asked(states, times)?.into_iter().map(plan).collect())
     };
     let rates = kugelpendel::measured_rates(half_swing, plan)?;
     Ok((rates.frequency, rates.precession))
@@ -214,8 +215,9 @@ fn asked(states: &Bound<'_, PyAny>, times: &[f64]) -> PyResult<Vec<StateVector>>
     if positions.dim() != (times.len(), 3) || velocities.dim() != (times.len(), 3) {
         return Err(PyValueError::new_err("positions and velocities must be (n, 3)"));
     }
-    let state = |(x, v): (numpy::ndarray::ArrayView1<'_, f64>, numpy::ndarray::ArrayView1<'_, f64>)| {
-        [x[0], x[1], x[2], v[0], v[1], v[2]]
+    let state = |(x, v): (numpy::ndarray::ArrayView1<'_, f64>, numpy::ndarray::ArrayView1<'_, f64>)| StateVector {
+        position: [x[0], x[1], x[2]],
+        velocity: [v[0], v[1], v[2]],
     };
     Ok(positions.rows().into_iter().zip(velocities.rows()).map(state).collect())
 }

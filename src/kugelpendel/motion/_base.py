@@ -23,18 +23,18 @@ if TYPE_CHECKING:
 
 EventKind: TypeAlias = Literal["outer", "inner", "bottom", "azimuth", "radius", "slack", "taut"]
 
-_EVENTS: dict[str, tuple[str, str] | None] = {
+_EVENTS = {
     "outer": None,
     "inner": None,
     "bottom": None,
-    "azimuth": ("azimuth", "rad"),
-    "radius": ("radius", "m"),
+    "azimuth": "rad",
+    "radius": "m",
     "slack": None,
     "taut": None,
 }
-"""The kinds of events, each with the value that it takes and its unit."""
+"""The kinds of events, each with the unit of the value that it takes."""
 
-_MOST_EVENTS = 10_000_000
+MOST_EVENTS = 10_000_000
 """Events are handed out in one array, of 80 MB at most."""
 
 _GRID = 24
@@ -178,16 +178,16 @@ class Motion(ABC):
         or two of the time. On a circle to the last bit there are none, but for `ExactMotion`, which
         has the limit of a slight wobble. In a vertical plane no azimuth is passed.
         """
-        number = self._checked_event(kind, value)
+        event, number = self._checked_event(kind, value)
         first, last = one_number(start, "The start", "s"), one_number(stop, "The stop", "s")
-        least = max(self.span[0], self._first_event)
+        least, most = self._event_span
         if not (isfinite(first) and isfinite(last) and least <= first <= last):
             bound = f"{least:.6g} s ≤ " if isfinite(least) else ""
             raise InvalidInput(
                 f"Events are looked for between {bound}start ≤ stop, but from {first} s to "
                 f"{last} s."
             )
-        return self._find_events(kind, number, (first, min(last, self.span[1])), _MOST_EVENTS)
+        return self._find_events(event, number, (first, min(last, most)), MOST_EVENTS)
 
     def next_event(
         self,
@@ -200,17 +200,17 @@ class Motion(ABC):
 
         Looks `within` s ahead; raises InvalidInput where it does not come, and as `events`.
         """
-        number = self._checked_event(kind, value)
+        event, number = self._checked_event(kind, value)
         first, ahead = one_number(after, "after", "s"), one_number(within, "within", "s")
-        least = max(self.span[0], self._first_event)
+        least, most = self._event_span
         if not (first >= least and 0 < ahead < inf and isfinite(first)):
             bound = f"a time ≥ {least:.6g} s" if isfinite(least) else "a finite time"
             raise InvalidInput(
                 f"An event is looked for within a positive time after {bound}, but within "
                 f"{ahead} s after {first} s."
             )
-        between = (float(np.nextafter(first, inf)), min(first + ahead, self.span[1]))
-        times = self._find_events(kind, number, between, 1) if between[0] <= between[1] else ()
+        between = (float(np.nextafter(first, inf)), min(first + ahead, most))
+        times = self._find_events(event, number, between, 1) if between[0] <= between[1] else ()
         if len(times) == 0:
             raise InvalidInput(
                 f'The event "{kind}" does not come within {ahead:.6g} s after {first:.6g} s; look '
@@ -296,9 +296,9 @@ class Motion(ABC):
         super().__setattr__(name, value)
 
     @property
-    def _first_event(self) -> float:
-        """The earliest time at which events are looked for, s."""
-        return -inf
+    def _event_span(self) -> tuple[float, float]:
+        """Between which times events are looked for, s."""
+        return self.span
 
     @property
     def _count(self) -> int:
@@ -324,29 +324,27 @@ class Motion(ABC):
         shaped.flags.writeable = False
         return shaped
 
-    def _checked_event(self, kind: str, value: float | None) -> float:
+    def _checked_event(self, kind: object, value: float | None) -> tuple[str, float]:
+        """The kind, and its value or 0."""
         if self.shape != ():
             raise InvalidInput(
                 f"Events are those of a single motion, but this is an ensemble of shape "
                 f"{self.shape}; ask its motions one by one."
             )
-        if not isinstance(kind, str) or kind not in _EVENTS:  # pyright: ignore[reportUnnecessaryIsInstance]
+        if not isinstance(kind, str) or kind not in _EVENTS:
             names = ", ".join(map(repr, _EVENTS))
             raise InvalidInput(f"The event must be one of {names}, but it is {kind!r}.")
-        takes = _EVENTS[kind]
-        if takes is None:
+        unit = _EVENTS[kind]
+        if unit is None:
             if value is not None:
-                raise InvalidInput(
-                    f'The event "{kind}" does not take a value, but it is {value!r}.'
-                )
-            return 0.0
-        name, unit = takes
+                raise InvalidInput(f'The event "{kind}" does not take a value, but it is {value}.')
+            return kind, 0.0
         if value is None:
-            raise InvalidInput(f'The event "{kind}" needs a value, the {name} in {unit}.')
-        number = one_number(value, f"The {name}", unit)
+            raise InvalidInput(f'The event "{kind}" needs a value, the {kind} in {unit}.')
+        number = one_number(value, f"The {kind}", unit)
         if not isfinite(number):
-            raise InvalidInput(f"The {name} must be finite, but it is {number} {unit}.")
-        return number
+            raise InvalidInput(f"The {kind} must be finite, but it is {number} {unit}.")
+        return kind, number
 
     def _find_events(
         self, kind: str, value: float, between: tuple[float, float], most: int

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from math import inf
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from kugelpendel import _core
 from kugelpendel.motion._base import one_number
 from kugelpendel.motion._pumping import refuse_pumping
 from kugelpendel.motion._surrounded import Surrounded
 from kugelpendel.motion._surroundings import Surroundings
-from kugelpendel.motion._times import checked_grid, checked_times
+from kugelpendel.motion._walk import SteppedMotion
 from kugelpendel.parameters import (
     Bob,
     Drag,
@@ -31,9 +28,11 @@ Thread: TypeAlias = Literal["ends", "flies", "rod"]
 
 _THREADS = ("ends", "flies", "rod")
 _FINEST = 1e-17
+_LOOKED = 1000
+"""Small swings over which an end is looked for."""
 
 
-class RealMotion(Surrounded):
+class RealMotion(Surrounded, SteppedMotion):
     """A pendulum on the turning Earth, in air, on an imperfect suspension, driven or not.
 
     The full equations on the sphere, integrated by Taylor series of order 20 with dense output.
@@ -76,8 +75,9 @@ class RealMotion(Surrounded):
     periods (tests/motion/real/test_real.py); the error grows like t^1.5. The bob is on the sphere
     and its velocity tangent to it, to rounding, at every step. Speeds below 1e-9 lω0 feel quadratic
     drag as if they were that fast.
-    Every request is integrated from t = 0, or goes on from where the last one stopped if it begins
-    no earlier; the result is the same. Memory does not grow with the span.
+    Every request goes on from the last of the checkpoints that lie on the way (`walk`), so asking
+    in any order, for one thing or another, costs what is new; the bits are the same as from the
+    launch. Memory does not grow with the span. Ctrl-C ends every call within 0.2 s.
     Sources: Olsson (1981), eq. (4), with the Coriolis force, drag and the suspension's anisotropy
     added; Jorba & Zou, Experimental Mathematics 14, 99 (2005) for the integration. Signs and forms
     of the forces are in docs/conventions.md.
@@ -127,9 +127,6 @@ class RealMotion(Surrounded):
         other = {name: value for name, (value, usual) in options.items() if value != usual}
         return {**super()._arguments(), **other}
 
-    def _problems(self) -> Iterable[tuple[int, str]]:
-        return self._motions.problems()
-
     @property
     def thread(self) -> Thread:
         """What happens where its pull reaches zero."""
@@ -142,70 +139,39 @@ class RealMotion(Surrounded):
 
     @property
     def span(self) -> tuple[float, float]:
-        """First and last time, s, for which the motion can be asked, as far as it is known.
+        """First and last time, s, between which all motions of the ensemble can be asked.
 
         A push or a jerk of the thread cannot be undone, so a driven pendulum and one that flies
-        begin with their launch. A thread that "ends" may end the motion earlier: asked for later
-        times a single motion says when, an ensemble gives NaN.
+        begin with their launch. A thread that "ends" ends the motion where it goes slack, forwards
+        or backwards, and backwards in time quadratic drag may let the speed grow beyond all bounds.
+        Such ends are looked for over a thousand small swings each way, or 100 000 steps if those
+        are fewer; later ones are known once the motion has been followed so far. A free pendulum
+        with too little energy to come near the height of its support has no end.
         """
-        return (0.0 if self.drive is not None or self.thread == "flies" else -inf, inf)
+        swings = 2 * np.pi * _LOOKED / np.asarray(self.angular_frequency)
+        return self._span_within(np.ravel(swings))
 
     @property
     def trust(self) -> str:
         """Where the motion holds."""
         return "Everywhere, as far as the forces are known; errors of the integration grow slowly."
 
-    def position(self, t: ArrayLike) -> Numbers:
-        """Position from the support, m, z down: shape (*shape, *t.shape, 3).
-
-        Raises InvalidInput for times that are not finite or before the span, and for a single
-        motion that has ended; in an ensemble it is NaN from its end on.
-        """
-        times = self._times(t, 3)
-        return self._shaped(*self._motions.position(times.ravel()), times, 3)
-
-    def velocity(self, t: ArrayLike) -> Numbers:
-        """Velocity, m/s: shape (*shape, *t.shape, 3); t and errors as in `position`."""
-        times = self._times(t, 3)
-        return self._shaped(*self._motions.velocity(times.ravel()), times, 3)
-
-    def sample(self, start: float, step: float, count: int) -> Numbers:
-        """Positions at start + step·k: m, shape (*shape, count, 3); errors as in `position`."""
-        size = checked_grid(start, step, count, 3 * self._around.count)
-        return self.position(float(start) + float(step) * np.arange(size))
-
-    def tension(self, t: ArrayLike) -> Numbers:
-        """Pull of the thread, N: shape (*shape, *t.shape); errors as in `position`.
-
-        0 in flight, negative where a rod pushes. Without the weight of the thread itself.
-        """
-        times = self._times(t, 1)
-        return self._shaped(*self._motions.tension(times.ravel()), times)
-
-    @property
-    def _first_event(self) -> float:
-        return 0.0
-
-    def _find_events(
-        self, kind: str, value: float, between: tuple[float, float], most: int
-    ) -> Numbers:
-        return self._motions.events(kind, value, between, most)
-
-    def _times(self, t: ArrayLike, numbers_each: int) -> Numbers:
-        times = checked_times(t, numbers_each * self._around.count)
-        first = self.span[0]
-        if times.size and times.min() < first:
+    def _check_times(self, times: Numbers) -> None:
+        is_one_way = self.drive is not None or self.thread == "flies"
+        if is_one_way and times.size and times.min() < 0:
             raise InvalidInput(
                 f"A driven or flying pendulum cannot be followed back before its launch, but "
                 f"asked for is {times.min():.6g} s."
             )
-        return times
 
-    def _shaped(self, flat: Numbers, ends: Numbers, times: Numbers, *tail: int) -> Numbers:
-        if self.shape == () and np.isfinite(ends[0]):
-            raise InvalidInput(
-                f"The thread goes slack at {ends[0]:.9g} s, where the motion ends; asked for are "
-                f"times from {times.min():.6g} s to {times.max():.6g} s. Keep between, or let it "
-                f'fly on: thread="flies", or thread="rod".'
+    def _end_sentence(self, end: float, why: str, times: Numbers) -> str:
+        asked = f"asked for are times from {times.min():.6g} s to {times.max():.6g} s"
+        if why == "runaway":
+            return (
+                f"The speed grows beyond all bounds towards {end:.9g} s, where the motion ends; "
+                f"{asked}. Keep between: quadratic drag lets no motion come from further back."
             )
-        return flat.reshape((*self.shape, *times.shape, *tail))
+        return (
+            f"The thread goes slack at {end:.9g} s, where the motion ends; {asked}. Keep between, "
+            f'or let it fly on: thread="flies", or thread="rod".'
+        )

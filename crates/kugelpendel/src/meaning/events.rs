@@ -7,8 +7,9 @@ use crate::given::pendulum::Pendulum;
 use crate::given::times::{Quantity, Times};
 use crate::numbers::arithmetic::Portable;
 use crate::numbers::double_double::{Dd, Pair};
-use crate::numbers::roots::{Bracket, zero};
+use crate::numbers::roots::{Bracket, zero_between};
 use crate::taylor::events::Event;
+use crate::taylor::walk::StateVector;
 
 /// Pieces between two extremes of the distance from the axis, at the ends of which the azimuth is looked at.
 const PIECES: usize = 8;
@@ -21,9 +22,6 @@ const ROUNDS: usize = 60;
 
 /// The relative change of ρ² in a stretch below which a path is a circle and its turning points are rounding.
 const ROUND_ENOUGH: f64 = 1e-13;
-
-/// Where a bob is and how fast, m and m/s.
-pub type StateVector = [f64; 6];
 
 /// An extreme of the distance from the axis, at a share of the way from one lowest point to the next.
 #[derive(Clone, Copy, Debug)]
@@ -194,7 +192,7 @@ fn passages(
         let counted = values[0] == 0.0 && points[0] != start;
         let sign = if rises { 1.0 } else { -1.0 };
         (passes && !counted)
-            .then(|| (zero(points, values.map(|value| sign * value), |time| sign * function(time)), rises))
+            .then(|| (zero_between::<Portable>(&function, sign, points, values.map(|value| sign * value)), rises))
     })
 }
 
@@ -242,7 +240,7 @@ fn passages_on_a_grid<E>(
 ) -> Result<Vec<f64>, E> {
     let values: Vec<f64> = seen.iter().map(|state| watched(event, state, pendulum)).collect();
     if matches!(event, Event::Outer | Event::Inner) {
-        let squares = seen.iter().map(|[x, y, ..]| x * x + y * y);
+        let squares = seen.iter().map(|state| state.position[0].powi(2) + state.position[1].powi(2));
         let (least, most) = squares.fold((f64::INFINITY, 0.0), |(l, m), r| (f64::min(l, r), f64::max(m, r)));
         if most - least <= ROUND_ENOUGH * most {
             return Ok(Vec::new());
@@ -273,7 +271,8 @@ fn passages_on_a_grid<E>(
     let mut found: Vec<f64> = brackets.iter().map(|(_, bracket)| bracket.best()).collect();
     if let Event::Azimuth(azimuth) = event {
         let (sin, cos) = azimuth.sin_cos();
-        let mut ahead = states(&found)?.into_iter().map(|[x, y, ..]| x * cos + y * sin > 0.0);
+        let seen = states(&found)?;
+        let mut ahead = seen.iter().map(|state| state.position[0] * cos + state.position[1] * sin > 0.0);
         found.retain(|_| ahead.next().unwrap_or(false));
     }
     Ok(found)
@@ -281,7 +280,8 @@ fn passages_on_a_grid<E>(
 
 /// What passes through zero where the event happens: upwards, unless it is a radius or an azimuth, which is passed both
 /// ways.
-fn watched(event: Event, &[x, y, z, vx, vy, vz]: &StateVector, pendulum: &Pendulum) -> f64 {
+fn watched(event: Event, state: &StateVector, pendulum: &Pendulum) -> f64 {
+    let StateVector { position: [x, y, _], velocity: [vx, vy, vz] } = *state;
     match event {
         Event::Outer => -(x * vx + y * vy),
         Event::Inner => x * vx + y * vy,
@@ -291,7 +291,7 @@ fn watched(event: Event, &[x, y, z, vx, vy, vz]: &StateVector, pendulum: &Pendul
             y * cos - x * sin
         }
         Event::Radius(radius) => x.hypot(y) - radius,
-        Event::Slack => -pendulum.pull([x, y, z], [vx, vy, vz]),
-        Event::Taut => pendulum.pull([x, y, z], [vx, vy, vz]),
+        Event::Slack => -pendulum.pull(state.position, state.velocity),
+        Event::Taut => pendulum.pull(state.position, state.velocity),
     }
 }
