@@ -306,9 +306,7 @@ def examples_table() -> str:
     rows = []
     for name in EXAMPLES:
         job = read_job(Path(__file__).parent.parent / "examples" / f"{name}.toml")
-        found = apart(
-            envelope(job.setup, job.launch), lambda job=job: real_motion(job), job.grid.duration
-        )
+        found = apart(envelope(job), lambda job=job: real_motion(job), job.grid.duration)
         hours = f"{job.grid.duration / HOUR:g} h"
         rows.append((f"`{name}.toml`", hours, *(shown(value) for value in found[:3])))
     return table(["example", "over", "azimuth, °", "a, of a", "b, of a"], rows)

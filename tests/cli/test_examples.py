@@ -53,7 +53,7 @@ def story(request: pytest.FixtureRequest, repository: Path) -> tuple[str, Job, S
     """A real example, and what turns its plane."""
     job = read_job(repository / "examples" / f"{request.param}.toml")
     times = np.linspace(0.0, job.grid.duration, 4001)
-    return request.param, job, Shares.of(envelope(job.setup, job.launch), times)
+    return request.param, job, Shares.of(envelope(job), times)
 
 
 def test_full_equations_end_where_the_averaged_ones_do(story) -> None:
@@ -84,7 +84,7 @@ def _pantheon_day(job: Job, shares: Shares) -> None:
     (hurries,) = [stretch for stretch in shares.stretches() if stretch.pace == "hurries"]
     assert hurries.cause == "intrinsic"
     assert hurries.stop < 8 * 3600
-    b = envelope(job.setup, job.launch).semi_axes(shares.times)[:, 1]
+    b = envelope(job).semi_axes(shares.times)[:, 1]
     assert 0.03 < np.abs(b).max() < 0.04  # "a few centimetres wide"
 
 
@@ -92,7 +92,7 @@ def _museum(job: Job, shares: Shares) -> None:
     odd = [(stretch.pace, stretch.cause) for stretch in shares.stretches() if stretch.cause]
     assert odd == [("hurries", "damping"), ("lags", "damping")]
     assert np.abs(shares.intrinsic + shares.drive).max() < 0.1 * np.abs(shares.intrinsic).max()
-    a = envelope(job.setup, job.launch).semi_axes(shares.times)[:, 0]
+    a = envelope(job).semi_axes(shares.times)[:, 0]
     assert np.abs(a / 0.8 - 1).max() < 0.03
 
 
@@ -102,13 +102,13 @@ def _short(job: Job, shares: Shares) -> None:
     assert np.abs(_hourly(shares.total[two_hours:])).max() < 1
     assert abs(_hourly(shares.total)[-1]) < 0.01
     assert _hourly(shares.total).min() < -70
-    b = envelope(job.setup, job.launch).semi_axes(shares.times)[:, 1]
+    b = envelope(job).semi_axes(shares.times)[:, 1]
     assert b[-1] == pytest.approx(0.53e-3, rel=0.03)  # "the half millimetre"
 
 
 def _short_remedy(job: Job, shares: Shares) -> None:
-    suspension = read_job(job.file.with_name("short.toml")).setup.suspension
-    assert job.setup.suspension == suspension  # "in the same clamp"
+    suspension = read_job(job.file.with_name("short.toml")).forces.suspension
+    assert job.forces.suspension == suspension  # "in the same clamp"
     assert np.abs(shares.beyond_earth).max() < 0.02 * abs(shares.earth[0])
     off = np.degrees(shares.azimuth - shares.azimuth[0] - shares.earth * shares.times)
     assert np.abs(off).max() < 0.7

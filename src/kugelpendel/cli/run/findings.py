@@ -13,7 +13,7 @@ import kugelpendel as kp
 from kugelpendel.observables import Shares
 
 if TYPE_CHECKING:
-    from kugelpendel.cli.job_file.forces import Setup
+    from kugelpendel.cli.job_file.job import Job
     from kugelpendel.cli.run.record import Record
 
 _TIMES = 2001
@@ -56,7 +56,7 @@ class Findings:
         return 2 * math.pi / abs(self.ideal) if self.ideal else math.inf
 
 
-def find(setup: Setup, launch: kp.Launch, motion: kp.RealMotion, seen: Record) -> Findings:
+def find(job: Job, motion: kp.RealMotion, seen: Record) -> Findings:
     """Put together what was measured and what the averaged equations say to it."""
     shares, reason, caution, apart = None, "", "", math.nan
     course = seen.course
@@ -66,7 +66,7 @@ def find(setup: Setup, launch: kp.Launch, motion: kp.RealMotion, seen: Record) -
         try:
             with warnings.catch_warnings(record=True) as warned:
                 warnings.simplefilter("always")
-                averaged = envelope(setup, launch)
+                averaged = envelope(job)
                 shares = Shares.of(averaged, np.linspace(0.0, seen.until, _TIMES))
                 last = float(averaged.azimuth(course.times[-1:])[0])
             caution = " ".join(str(warning.message) for warning in warned)
@@ -76,12 +76,12 @@ def find(setup: Setup, launch: kp.Launch, motion: kp.RealMotion, seen: Record) -
             apart -= math.pi * round((course.azimuth[0] - started) / math.pi)
             if not np.isfinite(shares.total).all():
                 shares, reason = None, "the swing does not stay one of a turning ellipse"
-        except kp.InvalidInput as error:
+        except kp.KugelpendelError as error:
             shares, reason = None, str(error)
-    site = setup.site
+    site = job.forces.site
     return Findings(
         record=seen,
-        point_period=2 * math.pi / float(setup.pendulum.angular_frequency),
+        point_period=2 * math.pi / float(job.pendulum.angular_frequency),
         small_period=2 * math.pi / float(motion.angular_frequency),
         ideal=-float(site.vertical_rotation) if site is not None else 0.0,
         shares=shares,
@@ -91,14 +91,6 @@ def find(setup: Setup, launch: kp.Launch, motion: kp.RealMotion, seen: Record) -
     )
 
 
-def envelope(setup: Setup, launch: kp.Launch) -> kp.EnvelopeMotion:
+def envelope(job: Job) -> kp.EnvelopeMotion:
     """The averaged motion of a job."""
-    return kp.EnvelopeMotion(
-        setup.pendulum,
-        launch,
-        site=setup.site,
-        drag=setup.drag,
-        suspension=setup.suspension,
-        bob=setup.bob,
-        drive=setup.drive,
-    )
+    return kp.EnvelopeMotion(job.pendulum, job.launch, job.forces)

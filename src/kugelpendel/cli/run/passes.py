@@ -43,5 +43,5 @@ class Passes:
         return self._pulls.tension(t)
 
     def reach(self, until: float) -> None:
-        """Raise InvalidInput where the motion ends before that; the next times must be later."""
+        """Raise MotionEnded where the motion ends before that; the next times must be later."""
         self._places.position(until)

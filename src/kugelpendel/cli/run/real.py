@@ -23,7 +23,6 @@ from kugelpendel.cli.terminal.estimate import Wish
 from kugelpendel.cli.terminal.interrupted import Interrupted
 from kugelpendel.cli.terminal.progress import Progress
 from kugelpendel.cli.track.track import FIGURE, FILES
-from kugelpendel.motion import refuse_pumping
 from kugelpendel.spelling import spell
 
 if TYPE_CHECKING:
@@ -68,7 +67,7 @@ def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
     track = FILES[job.format]
     with staged(target, _FILES) as temporary, Wish() as wish:
         seen = _follow(job, temporary / track, wish)
-        found = find(job.setup, job.launch, motion, seen)
+        found = find(job, motion, seen)
         files = [track]
         if seen.stopped:
             _keep(job, found, temporary, _aside(target))
@@ -88,8 +87,8 @@ def _follow(job: Job, track: Path, wish: Wish) -> Record:
             return record(
                 track, lambda: real_motion(job), job.grid, job.format, wish, progress.advance
             )
-        except kp.InvalidInput as error:
-            raise kp.InvalidInput(f"{job.file}: {error}") from error
+        except kp.KugelpendelError as error:
+            raise error.at(f"{job.file}: ") from error
 
 
 def real_motion(job: Job) -> kp.RealMotion:
@@ -100,20 +99,10 @@ def real_motion(job: Job) -> kp.RealMotion:
     InvalidInput
         With the name of the file.
     """
-    setup = job.setup
     try:
-        refuse_pumping(job.pendulum, job.launch, setup.drag, setup.drive)
-        return kp.RealMotion(
-            job.pendulum,
-            job.launch,
-            site=setup.site,
-            drag=setup.drag,
-            suspension=setup.suspension,
-            bob=setup.bob,
-            drive=setup.drive,
-        )
+        return kp.RealMotion(job.pendulum, job.launch, job.forces)
     except kp.InvalidInput as error:
-        raise kp.InvalidInput(f"{job.file}: {error}") from error
+        raise error.at(f"{job.file}: ") from error
 
 
 def _keep(job: Job, found: Findings, temporary: Path, folder: Path) -> None:

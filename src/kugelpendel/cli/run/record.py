@@ -106,7 +106,7 @@ def record(
                 block = Block.of(samples, rows, times)
                 if until < slack_time:
                     samples.reach(until)
-            except kp.InvalidInput:
+            except kp.MotionEnded:
                 known = slack_time < math.inf
                 samples, (_, slack_time) = Passes(make), _reach(make, until)
                 if known or slack_time == math.inf:
