@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 import kugelpendel as kp
-from kugelpendel.observables import Shares
+from kugelpendel.motion import PrecessionBudget
 
 if TYPE_CHECKING:
     from kugelpendel.cli.job_file.job import Job
@@ -32,7 +32,7 @@ class Findings:
         Of small swings, s: of a point on a thread without weight, and with the bob's correction.
     ideal : float
         −Ω_E sin(latitude), rad/s; 0 without a site.
-    shares : Shares or None
+    shares : PrecessionBudget or None
         What turned the plane, by the averaged equations; None where they do not hold, as
         ``why_no_shares`` says.
     apart : float
@@ -45,7 +45,7 @@ class Findings:
     point_period: float
     small_period: float
     ideal: float
-    shares: Shares | None
+    shares: PrecessionBudget | None
     why_no_shares: str
     apart: float
     caution: str
@@ -67,7 +67,7 @@ def find(job: Job, motion: kp.RealMotion, seen: Record) -> Findings:
             with warnings.catch_warnings(record=True) as warned:
                 warnings.simplefilter("always")
                 averaged = envelope(job)
-                shares = Shares.of(averaged, np.linspace(0.0, seen.until, _TIMES))
+                shares = averaged.rates(np.linspace(0.0, seen.until, _TIMES))
                 last = float(averaged.azimuth(course.times[-1:])[0])
             caution = " ".join(str(warning.message) for warning in warned)
             # Both azimuths are those of an axis, which has no front end.

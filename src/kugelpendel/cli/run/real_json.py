@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kugelpendel.cli.run.clamp import clamp_notes
 from kugelpendel.cli.run.ideal_json import describe_start, to_json
-from kugelpendel.observables import CAUSES
+from kugelpendel.motion import CAUSES
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     import kugelpendel as kp
     from kugelpendel.cli.job_file.job import Job
     from kugelpendel.cli.run.findings import Findings
-    from kugelpendel.observables import Shares
+    from kugelpendel.motion import PrecessionBudget
 
 _ABOUT = (
     "kugelpendel: a real pendulum, full equations; SI units, named in the keys; azimuths, b and "
@@ -51,6 +52,7 @@ def real_json(job: Job, found: Findings, files: Sequence[str]) -> str:
         "swing": _swing(found),
         "shares": None if found.shares is None else _shares(found.shares),
         "why_no_shares": found.why_no_shares or None,
+        "clamp": clamp_notes(job) or None,
         "averaged_equations": {
             "full_less_averaged_azimuth_at_the_end_rad": found.apart,
             "caution": found.caution or None,
@@ -142,7 +144,7 @@ def _swing(found: Findings) -> dict[str, Any]:
     }
 
 
-def _shares(shares: Shares) -> dict[str, Any]:
+def _shares(shares: PrecessionBudget) -> dict[str, Any]:
     total = shares.total
     way = float(np.sign(shares.earth.mean())) or 1.0
     slow, fast = int(np.argmin(way * total)), int(np.argmax(way * total))

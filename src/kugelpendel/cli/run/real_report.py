@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kugelpendel.cli.run.budget import describe_pace, shares_table
+from kugelpendel.cli.run.clamp import clamp_notes, describe_clamp
 from kugelpendel.cli.terminal.describe import describe_launch, describe_pendulum
 from kugelpendel.cli.terminal.describe_forces import describe_forces
 from kugelpendel.spelling import significant, spell, spell_percent, spell_rate
@@ -34,7 +35,7 @@ def real_report(job: Job, found: Findings) -> str:
         "",
         *(f"{name:<19}{value:<21}  {meaning}".rstrip() for name, value, meaning in rows),
         "",
-        *_why(found),
+        *_why(job, found),
     ]
     ending = _ending(job, found)
     return "\n".join([*lines, "", ending] if ending else lines)
@@ -98,7 +99,12 @@ def _tension(job: Job, found: Findings) -> _Row:
     return ("Tension", f"{least} to {most} N", note)
 
 
-def _why(found: Findings) -> list[str]:
+def _turned(found: Findings) -> float:
+    azimuth = found.record.course.azimuth
+    return float(azimuth[-1] - azimuth[0])
+
+
+def _why(job: Job, found: Findings) -> list[str]:
     if found.shares is None:
         says = f"What turns the plane cannot be told apart: {found.why_no_shares.rstrip('.')}."
         return [textwrap.fill(says, _WIDTH)]
@@ -107,6 +113,7 @@ def _why(found: Findings) -> list[str]:
     apart = spell(abs(found.apart), "rad", 2)
     sentences = [
         *describe_pace(found.shares, found.ideal),
+        *describe_clamp(clamp_notes(job), _turned(found)),
         "These shares are those of the averaged equations, whose plane ends "
         f"{apart} from that of the full ones.",
         found.caution,
