@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from typing import TYPE_CHECKING
 
 import kugelpendel as kp
@@ -25,7 +26,9 @@ def clamp_notes(job: Job) -> dict[str, str]:
     if job.forces.site is None or suspension is None or not float(suspension.anisotropy):
         return {}
     try:
-        start = kp.Portrait.of(envelope(job))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # the report has the motion's own caution
+            start = kp.Portrait.of(envelope(job))
         found = kp.design(
             job.pendulum, start.a, start.b, azimuth=start.azimuth, forces=job.forces, checked=False
         )

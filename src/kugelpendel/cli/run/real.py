@@ -65,7 +65,8 @@ def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
     """
     motion = real_motion(job)
     track = FILES[job.format]
-    with staged(target, _FILES) as temporary, Wish() as wish:
+    writes = (track, FIGURE, ideal_json.FILE) if job.figure else (track, ideal_json.FILE)
+    with staged(target, _FILES, writes) as temporary, Wish() as wish:
         seen = _follow(job, temporary / track, wish)
         found = find(job, motion, seen)
         files = [track]
@@ -82,13 +83,8 @@ def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
 
 def _follow(job: Job, track: Path, wish: Wish) -> Record:
     """Write the track, with a bar for who waits."""
-    with Progress("Following the pendulum", job.grid.duration) as progress:
-        try:
-            return record(
-                track, lambda: real_motion(job), job.grid, job.format, wish, progress.advance
-            )
-        except kp.KugelpendelError as error:
-            raise error.at(f"{job.file}: ") from error
+    with Progress("Following the pendulum", job.grid.duration) as bar, job.document.named():
+        return record(track, lambda: _motion(job), job.grid, job.format, wish, bar.advance)
 
 
 def real_motion(job: Job) -> kp.RealMotion:
@@ -99,10 +95,12 @@ def real_motion(job: Job) -> kp.RealMotion:
     InvalidInput
         With the name of the file.
     """
-    try:
-        return kp.RealMotion(job.pendulum, job.launch, job.forces)
-    except kp.InvalidInput as error:
-        raise error.at(f"{job.file}: ") from error
+    with job.document.named():
+        return _motion(job)
+
+
+def _motion(job: Job) -> kp.RealMotion:
+    return kp.RealMotion(job.pendulum, job.launch, job.forces)
 
 
 def _keep(job: Job, found: Findings, temporary: Path, folder: Path) -> None:
