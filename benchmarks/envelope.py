@@ -14,6 +14,7 @@ import kugelpendel as kp
 DAY = 86400.0
 ROUNDS = 15
 SWINGS = 100
+MANY = 100_000
 PANTHEON = kp.Pendulum(67.0, 9.8094)
 LAUNCH = kp.Launch.ellipse(3.0, 0.01)
 AROUND = {
@@ -33,6 +34,11 @@ def full() -> np.ndarray:
     return kp.RealMotion(PANTHEON, LAUNCH, **AROUND).position(DAY)
 
 
+def positions() -> np.ndarray:
+    motion = kp.EnvelopeMotion(PANTHEON, LAUNCH, **AROUND)
+    return motion.position(np.linspace(0.0, DAY, MANY))
+
+
 def measure() -> Section:
     timings = paired({"averaged": averaged, "full": full}, ROUNDS)
     seconds = timings.seconds("averaged"), timings.seconds("full")
@@ -42,6 +48,9 @@ def measure() -> Section:
         Ratio(work, "full equations", *seconds, value, 200.0, at_least=True),
         Ratio(work, "1 ms", seconds[0], 1e-3, seconds[0] / 1e-3, 1.0),
     ]
+    each = paired({"positions": positions}, 3).seconds("positions") / MANY
+    work = f"a position of that day, of {MANY}"
+    ratios.append(Ratio(work, "1 µs", each, 1e-6, each / 1e-6, 1.0))
     notes = [
         "The Panthéon: 67 m, a = 3 m, b = 1 cm, half-life 3 h, 1e-5/m of quadratic drag, a "
         "suspension with δ = 1e-6 rad/s. Every call starts from the launch.",

@@ -186,7 +186,7 @@ def test_check_of_what_leads_to_one_equation(call: Any) -> None:
 def test_a_failure_is_shown_and_is_the_exit_code(
     call: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    row = paper.Row("12", paper.Kind.MULTIPLY, False, True, 3, 1, ("+ for −",), 0.1)
+    row = paper.Row("12", paper.StepKind.MULTIPLY, False, True, 3, 1, ("+ for −",), 0.1)
     lines = table([row], paper.words("en"))
     assert lines[2].split()[:4] == ["(12)", "Multiply", "FAILS", "yes"]
     assert lines[-2:] == [

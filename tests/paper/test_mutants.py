@@ -5,6 +5,9 @@ import random
 import pytest
 
 from kugelpendel import paper
+from kugelpendel.paper.algebra.notation import NotationError
+from kugelpendel.paper.checks import run
+from kugelpendel.paper.checks.faults import ALL
 from kugelpendel.paper.checks.mutants import mutants
 from kugelpendel.paper.checks.run import says_the_same, verdict
 from kugelpendel.paper.derivation.graph import premises
@@ -14,10 +17,11 @@ LABELS = [formula.label for formula in paper.FORMULAS]
 
 @pytest.mark.parametrize("label", LABELS)
 def test_no_mutant_survives(label: str) -> None:
-    row = paper.examined(label)
+    row = paper.examined(label, thorough=False)
     assert row.symbolic
     assert row.numeric
     assert row.survivors == ()
+    assert row.faults == ()
     assert row.killed >= 2
     # equal ones are few: the whole equation negated or doubled, or sin² + cos² written as 1
     assert row.equal <= 2
@@ -93,3 +97,33 @@ def test_check_in_parallel_gives_the_same() -> None:
 def test_check_of_an_unknown_formula() -> None:
     with pytest.raises(paper.UnknownLabel):
         paper.check(labels=["7"])
+
+
+@pytest.mark.parametrize("label", ["3", "5b", "8:1", "10.7:1", "12.1", "20.6", "23.6:1", "25"])
+def test_every_sabotage_of_what_is_said_is_noticed(label: str) -> None:
+    """The whole of them, `kugelpendel derive --check`, takes most of a minute."""
+    row = paper.examined(label)
+    assert row.unnoticed == ()
+    assert row.holds
+    made = {kind for kind, _, _ in row.sabotages}
+    always = {"sign", "kind", "detail", "neglected", "condition", "premise", "printed", "typeset"}
+    assert made == always
+    assert all(tried == noticed > 0 for _, tried, noticed in row.sabotages)
+
+
+def test_a_check_that_sees_nothing_is_found_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The test of the test: with a blind check of the conditions their sabotages go unnoticed."""
+    monkeypatch.setitem(ALL, "condition", lambda one: ())
+    row = paper.examined("6.3")
+    assert any(change.startswith("condition: without off-axis") for change in row.unnoticed)
+    assert not row.holds
+
+
+def test_what_cannot_be_read_is_a_fault_and_no_traceback(monkeypatch: pytest.MonkeyPatch) -> None:
+    def unreadable(label: str) -> None:
+        raise NotationError("'x^y' has an exponent that is not a whole number.")
+
+    monkeypatch.setattr(run, "right", unreadable)
+    row = paper.examined("25")
+    assert not row.holds
+    assert row.faults == ("cannot be read: 'x^y' has an exponent that is not a whole number.",)

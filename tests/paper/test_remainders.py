@@ -49,7 +49,11 @@ def test_19_is_confirmed_by_25_and_26() -> None:
 
 def test_every_neglecting_step_says_what_it_neglects() -> None:
     for one in paper.FORMULAS:
-        drops = one.step.kind in (paper.Kind.EXPAND, paper.Kind.NEGLECT, paper.Kind.AVERAGE)
+        drops = one.step.kind in (
+            paper.StepKind.EXPAND,
+            paper.StepKind.NEGLECT,
+            paper.StepKind.AVERAGE,
+        )
         assert not drops or one.step.neglected, one.label
 
 

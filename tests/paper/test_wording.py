@@ -5,6 +5,7 @@ import re
 import pytest
 
 from kugelpendel import paper
+from kugelpendel.paper.checks.wording.sentences import faults
 from kugelpendel.paper.document.prose import spans
 from kugelpendel.paper.typeset.tex import read
 
@@ -39,8 +40,8 @@ def test_every_step_condition_and_misprint(words: paper.Words) -> None:
         for condition in formula.step.conditions:
             assert words.condition(condition.key)
             assert not condition.consequence or words.consequence(condition.consequence)
-    for kind in paper.Kind:
-        assert words.kind(kind)
+    for kind in paper.StepKind:
+        assert kind == paper.StepKind.STATE or words.kind(kind)
     for misprint in paper.MISPRINTS:
         assert words.misprint(misprint.key)
 
@@ -96,3 +97,79 @@ def test_gaps_are_the_same_in_both_languages() -> None:
     german, english = (paper.words(language).tables["ui"] for language in LANGUAGES)
     for key, text in german.items():
         assert text.count("{}") == english[key].count("{}"), key
+
+
+NEVER = {
+    # the bob is "Pendelkörper", its weight "Gewichtskraft"; a pendulum has no life and no urge
+    "de": r"\bGewicht\b|Leben|Drang|Ziffern|stellt.* frei|zurückgesetzt|hineingeraten|Bleibt, wo",
+    "en": r"\bplace\b|its life|Stays where|slipped in|outward drive",
+}
+
+
+def test_words_that_do_not_fit_stay_away(words: paper.Words) -> None:
+    texts_said = texts({key: value for key, value in words.tables.items() if key != "ui"})
+    wrong = [text for text in texts_said if re.search(NEVER[words.language], text)]
+    assert wrong == []
+    assert words.ui("stays") in ("Not carried on.", "Folgefehler: keine.")
+
+
+def test_orders_of_the_errors_of_25_and_26(words: paper.Words) -> None:
+    """The share of (25) grows with the second power of the amplitude, that of (26) with the 4th."""
+    assert (paper.figure("error-25"), paper.figure("error-26")) == (2, 4)
+    second, fourth = {"de": ("Quadrat", "vierten"), "en": ("square", "fourth")}[words.language]
+    for text in (words.consequence("large"), " ".join(words.paragraphs("closing"))):
+        about = text[text.index("{25}" if "{25}" in text else "(25)") :]
+        assert re.search(rf"{second}.*{fourth}", about), text
+
+
+def test_olssons_numbers_jacksons_angles_and_the_curly_r_are_named(words: paper.Words) -> None:
+    assert "Jackson" in " ".join(words.paragraphs("conventions"))
+    assert "Olsson" in words.formula("6")
+    assert "z \\approx l" in words.section(2)[1]
+    missing = " ".join(words.paragraphs("introduction"))
+    assert "(7)" in missing
+    assert "(11)" in missing
+
+
+def test_10_is_not_said_to_hold_wherever_5b_does(words: paper.Words) -> None:
+    """On the axis (10) is empty, on the equator it means nothing; (5b) holds in both places."""
+    assert not re.search("exactly where|genau dort, wo", words.formula("10.5"))
+    assert paper.CONSEQUENCES["axis"]()
+    assert paper.CONSEQUENCES["equator"]()
+
+
+@pytest.mark.parametrize("name", paper.STATEMENTS)
+def test_formula_of_the_wording_is_proved_and_its_mutants_are_not(name: str) -> None:
+    row = paper.examined(name)
+    assert row.symbolic
+    assert row.survivors == ()
+    assert row.killed >= 2
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_sentences_claim_nothing_that_is_not_proved(language: str) -> None:
+    """Figures, formulas and quantities; each of them spoilt in every sentence that has it."""
+    row = paper.examined(language)
+    assert row.faults == ()
+    assert row.unnoticed == ()
+    made = {kind: count for kind, count, _ in row.sabotages}
+    assert made.keys() == {"figure", "statement", "quantity"}
+    assert min(made.values()) > 80
+
+
+@pytest.mark.parametrize(
+    ("text", "fault"),
+    [
+        ("of $@nonsense$", "no statement is named nonsense"),
+        ("of [third](nonsense) order", "no figure is named nonsense"),
+        ("of [third](error-26) order", "third should say 4"),
+        ("of third order", "is no figure"),
+        ("it is $x = 2y$", "claims something"),
+        ("a factor $3a$", "claims something"),
+        ("divided by $\\ddot{z}$", "does not stand in the formulas"),
+    ],
+)
+def test_a_claim_without_a_proof_is_found(text: str, fault: str) -> None:
+    (found,) = faults("formula.25", text)
+    assert fault in found
+    assert faults("formula.25", "of [fourth](error-26) order, with $ab$") == ()

@@ -2,8 +2,11 @@
 
 use crate::columns::{Numbers, new_array};
 use crate::given::{Problems, Told, bad, each_case, problems, tell};
-use crate::signal::lock;
-use kugelpendel::{Envelope, EnvelopeMotion, EnvelopeWalks, Invalid, Quantity, in_parallel};
+use crate::signal::{Signal, lock};
+use kugelpendel::{Envelope, EnvelopeMotion, EnvelopeWalks, Halt, Invalid, Quantity, in_parallel};
+
+/// Motions that are integrated at once before anyone asks for an interruption.
+const GROUP: usize = 256;
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -65,13 +68,14 @@ impl EnvelopeMotions {
             _ => return Err(PyValueError::new_err(format!("an averaged motion has no {what:?}"))),
         };
         let times = times.as_slice()?;
+        let signal = Signal::default();
         let mut ends = vec![f64::NAN; self.motions.len()];
         let size = what.width() * times.len();
         let row = |index: usize, row: &mut [f64], end: &mut f64| {
             row.fill(f64::NAN);
             let Ok(motion) = &self.motions[index] else { return };
             let mut walks = lock(&self.walks[index]);
-            if let Err(time) = motion.fill(what, times, row, &mut walks) {
+            if let Err(Halt::Ended(time, _)) = motion.fill(what, times, row, &mut walks, &|| signal.ends_work()) {
                 *end = time;
             }
         };
@@ -82,9 +86,16 @@ impl EnvelopeMotions {
             if let [end] = &mut ends[..] {
                 return row(0, out, end);
             }
-            let rows = out.par_chunks_mut(size).zip(&mut ends).enumerate();
-            in_parallel(|| rows.for_each(|(index, (out, end))| row(index, out, end)));
+            let groups = out.chunks_mut(GROUP * size).zip(ends.chunks_mut(GROUP)).enumerate();
+            for (group, (out, ends)) in groups {
+                let rows = out.par_chunks_mut(size).zip(ends).enumerate();
+                in_parallel(|| rows.for_each(|(index, (out, end))| row(GROUP * group + index, out, end)));
+                if signal.ends_work() {
+                    return;
+                }
+            }
         });
+        signal.raised()?;
         Ok((array, ends.into_pyarray(py)))
     }
 
@@ -94,10 +105,32 @@ impl EnvelopeMotions {
         all.fold([0.0; 5], |most, these| std::array::from_fn(|k| f64::max(most[k], these[k])))
     }
 
+    /// The bound in rad of the azimuth's error within a time in s, the largest of all motions, NaN not counted.
+    fn azimuth_error(&self, within: f64) -> f64 {
+        self.motions.iter().flatten().map(|motion| motion.azimuth_error(within)).fold(0.0, f64::max)
+    }
+
+    /// The first motion's largest distance from the full equations within so many swings, as a share of a.
+    fn measured_error(&self, py: Python<'_>, swings: u32) -> PyResult<f64> {
+        let signal = Signal::default();
+        let measure = |motion: &EnvelopeMotion| motion.measured_error(swings, &|| signal.ends_work());
+        let error = py.detach(|| self.motions.iter().flatten().next().map(measure));
+        signal.raised()?;
+        Ok(error.and_then(Result::ok).unwrap_or(f64::NAN))
+    }
+
     /// The times in s between which each motion holds, two to a motion, looked for within a time; NaN for the bad ones.
-    fn span<'py>(&self, py: Python<'py>, within: f64) -> Numbers<'py> {
-        let span = |motion: &Result<EnvelopeMotion, Invalid>| motion.as_ref().map_or([f64::NAN; 2], |m| m.span(within));
-        let spans: Vec<_> = py.detach(|| in_parallel(|| self.motions.par_iter().flat_map_iter(span).collect()));
-        spans.into_pyarray(py)
+    fn span<'py>(&self, py: Python<'py>, within: f64) -> PyResult<Numbers<'py>> {
+        let signal = Signal::default();
+        let span = |motion: &Result<EnvelopeMotion, Invalid>| {
+            let span = motion.as_ref().ok().and_then(|motion| motion.span(within, &|| signal.ends_work()).ok());
+            span.unwrap_or([f64::NAN; 2])
+        };
+        let spans: Vec<_> = match &self.motions[..] {
+            [motion] => py.detach(|| span(motion).to_vec()), // on this thread, which is the one that sees a signal
+            motions => py.detach(|| in_parallel(|| motions.par_iter().flat_map_iter(span).collect())),
+        };
+        signal.raised()?;
+        Ok(spans.into_pyarray(py))
     }
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from functools import cached_property
+from math import degrees
 from typing import Any, Unpack
 
 import numpy as np
@@ -14,12 +15,14 @@ from kugelpendel.errors import InvalidInput, MotionEnded
 from kugelpendel.motion._budget import CAUSES, PrecessionBudget
 from kugelpendel.motion._forced import ForcedMotion
 from kugelpendel.motion._kept import kept
-from kugelpendel.motion._real import RealMotion
 from kugelpendel.motion._times import checked_grid, checked_times
 from kugelpendel.parameters import ForceParts, Forces, Launch, Numbers, Pendulum
 
 _AHEAD = 1e8
 """s: how far an end of the motion is looked for, some three years."""
+
+_DAY = 86400.0
+"""s: over which `trust` says how far the azimuth is off."""
 
 _WARN = 0.01
 """Forces that change a swing by more than this share of it: a warning with the measured error.
@@ -51,8 +54,8 @@ class EnvelopeMotion(ForcedMotion):
     pendulum, launch, forces, site, drag, suspension, bob, drive
         As for `RealMotion`; the horizontal part of the Earth's rotation averages out.
     exact
-        Whether ω and Ω are those of the closed form, and linear drag is averaged at any amplitude;
-        otherwise the first-order formulas, Olsson's (25) and (26).
+        Whether every force is averaged over the exact swing, at any amplitude; otherwise over
+        harmonic swings, with Olsson's (25) and (26) for their rates.
 
     Raises
     ------
@@ -69,9 +72,10 @@ class EnvelopeMotion(ForcedMotion):
 
     Notes
     -----
-    Semi-axes are the turning radii of the mean motion: that whose place and rate of place at t = 0
-    are those of the launch. What is left out is of second order in the forces, and for quadratic
-    drag, the suspension and the drive of relative order (a/l)²; `trust` has the numbers.
+    Semi-axes are the turning radii of the mean motion. A drive's pushes and the horizontal part of
+    the Earth's rotation come and go within a swing, about that mean; but for these, place and
+    velocity at t = 0 are those of the launch. What is left out is of second order in the forces;
+    `trust` says how far the azimuth may be off over a day (docs/averaging.py measures it).
     Sources: the averages are in docs/conventions.md; Olsson (1981), eq. (25), (26).
     """
 
@@ -124,38 +128,33 @@ class EnvelopeMotion(ForcedMotion):
     def _caution(self, name: str, strength: float) -> str:
         measured = "."
         if self.shape == ():
+            error = self._motions.measured_error(_SWINGS)
             measured = (
-                f": against RealMotion it is off by {self._measured_error():.2g} of the amplitude "
-                f"within {_SWINGS} swings."
+                f": against RealMotion it is off by {error:.2g} of the amplitude within {_SWINGS} "
+                f"swings."
             )
         return (
             f"The {name} changes a swing by {strength:.2g} of itself, much for an averaged motion"
             f"{measured} Use RealMotion."
         )
 
-    def _measured_error(self) -> float:
-        """Largest distance from the full equations over 100 swings, as a share of a."""
-        swing = 2 * np.pi / float(self.angular_frequency)
-        times = swing * np.linspace(0.0, _SWINGS, 20 * _SWINGS + 1)
-        full = RealMotion(self.pendulum, self.launch, self.forces, thread="rod")
-        times = times[times < self.span[1]]
-        apart = np.linalg.norm(self.position(times) - full.position(times), axis=-1)
-        return float((apart / self.semi_axes(times)[..., 0]).max())
-
     @property
     def trust(self) -> str:
-        """Where the motion holds, and how far for these forces."""
+        """Where the motion holds, and how far the azimuth may be off within a day."""
         name, strength = self._strongest
-        if strength == 0.0:
-            return "Swings below the support; without forces, or under a turning ground, exact."
-        with np.errstate(all="ignore"):
-            size = np.nanmax(self.semi_axes(0.0)[..., 0] / np.asarray(self.pendulum.length))
+        error = self._motions.azimuth_error(_DAY)
+        if strength == 0.0 and error == 0.0:
+            return "Swings below the support; without forces, exact."
+        wavering = ""
+        if strength > 0.0:
+            wavering = (
+                f" The forces change them little in one swing, here by {strength:.1g} of the swing "
+                f"({name}); by about half of that it wavers about the mean."
+            )
         return (
-            f"Swings below the support, and forces that change them little in one swing: here by "
-            f"{strength:.1g} of the swing ({name}), by about half of which it wavers about the "
-            f"mean. Left out of the effect of suspension and quadratic drag is a share of about "
-            f"{0.05 * size**2:.1g}. Next to a circle the azimuth, and what a drive does, mean "
-            f"little."
+            f"Swings below the support: the azimuth is within {degrees(error):.2g}° over 24 h, a "
+            f"bound of what was measured against the full equations (docs/real.md).{wavering} Next "
+            f"to a circle the azimuth, and what a drive does, mean little."
         )
 
     def semi_axes(self, t: ArrayLike) -> Numbers:

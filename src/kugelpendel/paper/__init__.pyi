@@ -7,6 +7,9 @@ from .checks.remainders import remainders as remainders
 from .checks.remainders import third_harmonic as third_harmonic
 from .checks.run import check as check
 from .checks.run import examined as examined
+from .checks.run import subjects as subjects
+from .checks.wording.figures import FIGURES as FIGURES
+from .checks.wording.figures import figure as figure
 from .derivation.graph import FORMULAS as FORMULAS
 from .derivation.graph import UnknownLabel as UnknownLabel
 from .derivation.graph import edges as edges
@@ -18,11 +21,12 @@ from .derivation.graph import right as right
 from .derivation.misprints import MISPRINTS as MISPRINTS
 from .derivation.model import Condition as Condition
 from .derivation.model import Formula as Formula
-from .derivation.model import Kind as Kind
 from .derivation.model import Misprint as Misprint
 from .derivation.model import Row as Row
 from .derivation.model import Step as Step
-from .document.wording import LANGUAGES as LANGUAGES
+from .derivation.model import StepKind as StepKind
+from .derivation.statements import LANGUAGES as LANGUAGES
+from .derivation.statements import STATEMENTS as STATEMENTS
 from .document.wording import Words as Words
 from .document.wording import words as words
 from .rendering import misprint_list as misprint_list
@@ -30,17 +34,19 @@ from .rendering import write as write
 
 __all__ = [
     "CONSEQUENCES",
+    "FIGURES",
     "FORMULAS",
     "LANGUAGES",
     "MISPRINTS",
+    "STATEMENTS",
     "Condition",
     "Counterexample",
     "Formula",
-    "Kind",
     "Misprint",
     "Remainder",
     "Row",
     "Step",
+    "StepKind",
     "UnknownLabel",
     "Words",
     "check",
@@ -48,6 +54,7 @@ __all__ = [
     "dropped_harmonics",
     "edges",
     "examined",
+    "figure",
     "formula",
     "misprint_list",
     "parts",
@@ -55,6 +62,7 @@ __all__ = [
     "remainders",
     "rests_on",
     "right",
+    "subjects",
     "third_harmonic",
     "words",
     "write",

@@ -77,7 +77,7 @@ def _draw_rates(axes: Axes, found: Design) -> None:
         low, high = sorted((slow * _HOURLY, fast * _HOURLY))
         axes.barh(row, high - low, left=low, height=0.55, color=_ink.OUTER)
         text = " to ".join(significant(value * _HOURLY, 4) for value in (slow, fast))
-        _write(axes, row, max(slow, fast), f"{text} °/h".replace("-", "−"), left=False)
+        _write(axes, row, max(slow, fast), f"{text} °/h", left=False)
     axes.set_yticks(range(len(bars) + len(spans)), [name for name, *_ in (*bars, *spans)])
     axes.tick_params(axis="y", length=0)
     axes.spines["left"].set_visible(False)

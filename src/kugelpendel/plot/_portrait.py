@@ -20,7 +20,7 @@ from kugelpendel.motion import EnvelopeMotion
 from kugelpendel.observables import Portrait
 from kugelpendel.parameters import InvalidInput
 from kugelpendel.plot import _ink
-from kugelpendel.spelling import spell, spell_rate, unit_for
+from kugelpendel.spelling import general, minus, spell, spell_rate, unit_for
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -142,7 +142,7 @@ def _draw_map(axes: Axes, found: Portrait) -> list[Artist]:
     start = _placed(found, np.array([orbit.circularity]), np.array([orbit.longitude]), size)
     axes.plot(*start, "o", color=_ink.INNER, markersize=8, markeredgecolor="white", zorder=5)
     ticks = _ticks(linear, circle)
-    axes.set_yticks(ticks, [f"{value:g}".replace("-", "−") for value in ticks])
+    axes.set_yticks(ticks, [general(value) for value in ticks])
     axes.set_yticks([], minor=True)
     axes.xaxis.set_major_locator(MultipleLocator(30))
     axes.set(
@@ -242,6 +242,6 @@ def _label(axes: Axes, found: Portrait) -> None:
     elif orbit.verdict == "stands":
         said = "stays as it is"
     else:
-        west, east = (f"{math.degrees(edge):.1f}°" for edge in orbit.azimuths)
-        said = f"swings to and fro between {west} and {east} {time}".replace("-", "−")
+        west, east = (minus(f"{math.degrees(edge):.1f}°") for edge in orbit.azimuths)
+        said = f"swings to and fro between {west} and {east} {time}"
     axes.set_title(f"Without drag and drive the plane {said}")

@@ -185,9 +185,11 @@ def test_files_on_a_system_without_links_are_copied(
     assert seen(tmp_path / "out") == NEW
 
 
+@pytest.mark.parametrize("links", [True, False])
 def test_a_file_that_cannot_be_replaced_leaves_both_sets(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, links: bool
 ) -> None:
+    """As one that is immutable, of which there is not even a second link, or another user's."""
     put(tmp_path / "out", OLD)
     replace = Path.replace
 
@@ -196,7 +198,15 @@ def test_a_file_that_cannot_be_replaced_leaves_both_sets(
             raise PermissionError(1, "Operation not permitted", str(self), None, str(target))
         return replace(self, target)
 
+    link = Path.hardlink_to
+
+    def no_link(self: Path, target: Path) -> None:
+        if target.name == "results.json" and not links:
+            raise PermissionError(1, "Operation not permitted")
+        link(self, target)
+
     monkeypatch.setattr(Path, "replace", immutable)
+    monkeypatch.setattr(Path, "hardlink_to", no_link)
     with pytest.raises(InvalidInput, match=r"failed: results\.json: Operation not permitted; noth"):
         put(tmp_path / "out", NEW)
     assert seen(tmp_path / "out") == OLD

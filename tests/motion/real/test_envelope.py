@@ -4,6 +4,10 @@ from __future__ import annotations
 
 import math
 import pickle
+import re
+import signal
+import threading
+import time
 import warnings
 
 import numpy as np
@@ -59,7 +63,8 @@ class TestPantheon:
 def test_numbers_of_a_laboratory_pendulum() -> None:
     """After 6 h the full equations give (0.07360213, 0.0255412, −2.28416707).
 
-    Let go at rest, g = 9.81; where in its swing that ellipse was taken is not known: 1e-4 of a.
+    Let go at rest, g = 9.81; where in its swing that ellipse was taken is not known: 1e-4 of a, and
+    as much of the angle. Beside our own full equations the bob is where it should be.
     """
     pendulum = kp.Pendulum(4.803, 9.81)
     around = {
@@ -67,10 +72,14 @@ def test_numbers_of_a_laboratory_pendulum() -> None:
         "drag": kp.Drag(2e-5),
         "suspension": kp.Suspension(1e-4 * float(pendulum.angular_frequency), 0.5),
     }
-    mean = kp.EnvelopeMotion(pendulum, kp.Launch.plane(0.12, 0.0, 0.0, 0.0), **around)
+    launch = kp.Launch.plane(0.12, 0.0, 0.0, 0.0)
+    mean = kp.EnvelopeMotion(pendulum, launch, **around)
     a, b = mean.semi_axes(21600.0)
-    assert (a, b) == pytest.approx((0.07360213, 0.0255412), abs=1e-6)
-    assert mean.azimuth(21600.0) == pytest.approx(-2.28416707, abs=1e-5)
+    assert (a, b) == pytest.approx((0.07360213, 0.0255412), abs=1e-4 * 0.0736)
+    assert mean.azimuth(21600.0) == pytest.approx(-2.28416707, abs=1e-4)
+    times = 21600.0 + np.linspace(-5.0, 5.0, 41)
+    full = kp.RealMotion(pendulum, launch, **around)
+    assert_allclose(mean.position(times), full.position(times), rtol=0, atol=1e-6 * 0.0736)
 
 
 @pytest.mark.parametrize(
@@ -158,8 +167,8 @@ class TestOneForceAtATime:
         delta, axis = 3e-5, 0.7
         around = {"suspension": kp.Suspension(delta, axis)}
         self.follows(2e-4, **around)
-        mean, _ = self.motions(**around)
-        a, b = 0.05, 0.02
+        a, b = 0.005, 0.002
+        mean = kp.EnvelopeMotion(PENDULUM, kp.Launch.apsides(a, b, 0.3), **around)  # pyright: ignore[reportArgumentType]
         share = -delta * a * b / (a**2 - b**2) * math.cos(2 * (0.3 - axis))
         assert mean.rates(0.0).anisotropy == pytest.approx(share, rel=1e-4)
         assert mean.rates(0.0).outer == pytest.approx(
@@ -170,8 +179,8 @@ class TestOneForceAtATime:
         delta, axis = 3e-5, 0.7
         around = {"suspension": kp.Suspension(0.0, 0.0, delta, axis), "drag": kp.Drag(5e-5)}
         self.follows(2e-4, **around)
-        mean, _ = self.motions(**around)
-        a, b = 0.05, 0.02
+        a, b = 0.005, 0.002
+        mean = kp.EnvelopeMotion(PENDULUM, kp.Launch.apsides(a, b, 0.3), **around)
         share = delta / 2 * (a**2 + b**2) / (a**2 - b**2) * math.sin(2 * (0.3 - axis))
         assert mean.rates(0.0).damping == pytest.approx(share, rel=1e-4)
 
@@ -227,6 +236,167 @@ def test_shares_add_up_to_the_rate_of_the_azimuth(
     grown = np.stack([rates.outer, rates.inner])
     assert_allclose((after - before) / (2 * h), grown, rtol=1e-3, atol=2e-9)
     assert mean.semi_axes(t)[0] >= abs(mean.semi_axes(t)[1])
+
+
+class TestWideSwings:
+    """Up to nine tenths of the length: as near the full equations as small swings are.
+
+    Before the forces were averaged over the exact swing, the azimuth of these was off by 0.2° to
+    30°, and a of the driven one by 23 %.
+    """
+
+    @staticmethod
+    def off(
+        pendulum: kp.Pendulum, launch: kp.Launch, end: float, **around: object
+    ) -> tuple[float, float]:
+        """Largest differences of azimuth, °, and of a, relative, at turning points near the end."""
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            mean = kp.EnvelopeMotion(pendulum, launch, **around)  # pyright: ignore[reportArgumentType]
+        full = kp.RealMotion(pendulum, launch, thread="rod", **around)  # pyright: ignore[reportArgumentType]
+        times = full.events("outer", end - 60.0, end)
+        a, _, azimuth = kp.ellipse(full, times)
+        difference = np.degrees(np.abs(apart(mean.azimuth(times), azimuth)).max())
+        return float(difference), float(np.abs(mean.semi_axes(times)[:, 0] / a - 1).max())
+
+    def test_driven_at_a_radius(self) -> None:
+        azimuth, a = self.off(
+            kp.Pendulum(20.0, 9.81),
+            kp.Launch.ellipse(17.2529, 4.1220, 2.72),
+            3600.0,
+            drag=kp.Drag(5.0471e-6, 6.3578e-5),
+            drive=kp.Drive(0.02664648, radius=12.6235765),
+        )
+        assert azimuth < 1.0
+        assert a < 0.002
+
+    def test_site_and_clamp_for_a_day_and_a_half(self) -> None:
+        site = kp.Site(0.85)
+        azimuth, a = self.off(
+            kp.Pendulum(20.0, float(site.gravity)),
+            kp.Launch.ellipse(0.77 * 20, 0.4 * 0.77 * 20),
+            36 * 3600.0,
+            site=site,
+            suspension=kp.Suspension(8e-7, 0.5),
+        )
+        assert azimuth < 0.03
+        assert a < 5e-5
+
+    @pytest.mark.parametrize("a", [0.2, 0.6, 0.9])
+    @pytest.mark.parametrize("share", [1e-3, 0.1, 0.7])
+    def test_quadratic_drag(self, a: float, share: float) -> None:
+        azimuth, size = self.off(
+            kp.Pendulum(1.0, 9.81), kp.Launch.ellipse(a, share * a), 1800.0, drag=kp.Drag(0.0, 1e-3)
+        )
+        assert azimuth < 0.01
+        assert size < 2e-7
+
+    @pytest.mark.parametrize("a", [0.2, 0.6, 0.9])
+    @pytest.mark.parametrize(
+        ("around", "most"),
+        [
+            ({"suspension": kp.Suspension(3e-5, 0.5)}, 0.01),
+            ({"suspension": kp.Suspension(0.0, 0.0, 3e-5, 0.5), "drag": kp.Drag(5e-5)}, 0.2),
+            ({"drag": kp.Drag(5e-5), "drive": kp.Drive(1e-4, phase=0.3)}, 0.05),
+        ],
+    )
+    def test_each_force(self, a: float, around: dict[str, object], most: float) -> None:
+        launch = kp.Launch.ellipse(a, 0.3 * a)
+        azimuth, size = self.off(kp.Pendulum(1.0, 9.81), launch, 3600.0, **around)
+        assert azimuth < most
+        assert size < 4e-5
+
+
+class TestLongTimes:
+    def test_a_driven_pendulum_goes_on(self) -> None:
+        """An exponential of γt overflowed at 709.8."""
+        mean = kp.EnvelopeMotion(
+            kp.Pendulum(0.83),
+            kp.Launch.ellipse(0.03, 0.0),
+            drag=kp.Drag(1e-3),
+            drive=kp.Drive(1.0395e-4, phase=0.4354),
+        )
+        assert mean.span == (0.0, np.inf)
+        a, b = np.moveaxis(mean.semi_axes([1e5, 1e6, 3e6]), -1, 0)
+        # p cos φ = πγa, but for the swing's amplitude: (a/l)² of it.
+        assert_allclose(a, 1.0395e-4 * math.cos(0.4354) / (math.pi * 1e-3), rtol=2e-3)
+        assert np.ptp(a) < 1e-9
+        assert_allclose(b, 0.0, atol=1e-15)
+
+    @pytest.mark.parametrize("around", [{}, {"site": PARIS}])
+    def test_without_forces_it_is_known_at_once(self, around: dict[str, kp.Site]) -> None:
+        launch = kp.Launch.apsides(0.3, 0.1)
+        mean = kp.EnvelopeMotion(PENDULUM, launch, **around)  # pyright: ignore[reportArgumentType]
+        began = time.perf_counter()
+        position = mean.position(1e15)
+        assert time.perf_counter() - began < 0.05
+        assert np.linalg.norm(position) == pytest.approx(1.3, rel=1e-12)
+        if not around:
+            exact = kp.ExactMotion(PENDULUM, launch).position(1e15)
+            np.testing.assert_array_equal(position, exact)
+
+    @pytest.mark.parametrize("what", ["azimuth", "span"])
+    def test_can_be_interrupted(self, what: str) -> None:
+        mean = kp.EnvelopeMotion(
+            PENDULUM,
+            kp.Launch.apsides(0.3, 0.1),
+            suspension=kp.Suspension(1e-2, 0.5),
+            drag=kp.Drag(1e-4),
+            drive=kp.Drive(1e-4, phase=0.3),
+        )
+        began: list[float] = []
+
+        def interrupt() -> None:
+            began.append(time.perf_counter())
+            signal.raise_signal(signal.SIGINT)
+
+        timer = threading.Timer(0.1, interrupt)
+        timer.start()
+
+        def ask() -> None:
+            for _ in range(100):
+                _ = mean.azimuth(1e9) if what == "azimuth" else mean._motions.span(1e8)
+
+        with pytest.raises(KeyboardInterrupt):
+            ask()
+        assert time.perf_counter() - began[0] < 0.2
+
+
+class TestTrust:
+    def test_says_how_far_the_azimuth_is_off_over_a_day(self) -> None:
+        for a, b, most in ((0.1, 0.01, 0.05), (0.9, 0.3, 60.0)):
+            mean = kp.EnvelopeMotion(
+                PENDULUM,
+                kp.Launch.ellipse(a, b),
+                site=PARIS,
+                suspension=kp.Suspension(1e-6, 0.5),
+                drive=kp.Drive(-1e-7, phase=0.3),
+            )
+            said = re.search(r"azimuth is within (\S+)° over 24 h", mean.trust)
+            assert said is not None
+            assert 0.0 < float(said[1]) < most
+        assert "24 h" not in kp.EnvelopeMotion(PENDULUM, kp.Launch.ellipse(0.9, 0.3)).trust
+
+    @pytest.mark.parametrize("a", [0.05, 0.5, 0.85])
+    @pytest.mark.parametrize("share", [1e-6, 1e-4])
+    @pytest.mark.parametrize("kind", ["drag", "quadratic", "stiff", "lossy", "drive"])
+    def test_is_a_bound(self, a: float, share: float, kind: str) -> None:
+        pendulum = kp.Pendulum(1.0, 9.81)
+        rate = share * float(pendulum.angular_frequency)
+        around: dict[str, object] = {
+            "drag": {"drag": kp.Drag(rate)},
+            "quadratic": {"drag": kp.Drag(0.0, share / a)},
+            "stiff": {"suspension": kp.Suspension(rate, 0.5)},
+            "lossy": {"suspension": kp.Suspension(0.0, 0.0, rate, 0.5), "drag": kp.Drag(rate)},
+            "drive": {
+                "drag": kp.Drag(rate / math.pi),
+                "drive": kp.Drive(a * rate, phase=0.2),
+            },
+        }[kind]
+        launch = kp.Launch.ellipse(a, 0.25 * a)
+        off, _ = TestWideSwings.off(pendulum, launch, 3600.0, **around)
+        mean = kp.EnvelopeMotion(pendulum, launch, **around)  # pyright: ignore[reportArgumentType]
+        assert off < math.degrees(mean._motions.azimuth_error(3600.0)) + 1e-6
 
 
 class TestLimits:

@@ -1,31 +1,32 @@
 //! The averaged motion of a real pendulum: a turning ellipse whose size, form and plane change slowly.
 //!
-//! [`law`] has the equations, [`ideal`], [`drag`] and [`push`] the averages in them, [`steps`] integrates them with the
-//! coefficients in [`tableau`].
+//! [`closed_form`] is one swing, [`swing`] finds it by its actions; [`equations`] say how these change, with the averages
+//! in [`drag`] and [`push`]; [`limits`] say how far they hold; [`stepper`] integrates them with the coefficients in [`tableau`].
 
+mod closed_form;
 mod drag;
-mod ideal;
-mod law;
+mod equations;
+mod limits;
 mod push;
-mod steps;
+mod stepper;
+mod swing;
 mod tableau;
 #[cfg(test)]
 mod tests;
 
-use crate::exact::chart::Chart;
 use crate::exact::motion::ExactMotion;
-use crate::exact::phase::Phase;
-use crate::exact::theta::shape::product;
 use crate::given::drive::Drive;
 use crate::given::forces::{Acting, Forces};
 use crate::given::invalid::{Invalid, Seen, require};
 use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;
 use crate::given::times::{Quantity, Times, both_ways};
-use crate::numbers::arithmetic::Portable;
-use law::{Circles, Law};
-use std::f64::consts::PI;
-use steps::{Moment, Walk};
+use crate::taylor::step::Ending;
+use crate::taylor::walk::{Halt, Stop};
+use equations::{AveragedEquations, Circles};
+use num_complex::Complex64;
+use stepper::{AveragedStepper, Moment};
+use swing::Swing;
 
 /// Beyond this share of the length, swings are not averaged: turning radii no longer tell motions apart.
 const LARGEST: f64 = 0.9999;
@@ -34,6 +35,9 @@ const LARGEST: f64 = 0.9999;
 /// swings (benchmarks/envelope.py).
 const MOST: f64 = 0.1;
 
+/// Steps, or points, between two questions whether to go on: some milliseconds.
+const PATIENCE: usize = 64;
+
 /// Steps in which an end of the motion is looked for.
 const MOST_STEPS: usize = 5000;
 
@@ -41,9 +45,12 @@ const MOST_STEPS: usize = 5000;
 #[derive(Clone, Debug)]
 pub struct EnvelopeMotion {
     pendulum: Pendulum,
-    law: Law,
+    given: (Launch, Forces, Drive),
+    equations: AveragedEquations,
     start: Moment,
     omega0: f64,
+    /// Where no force acts, the motion itself.
+    ideal: Option<ExactMotion>,
 }
 
 /// What is asked of the averaged motion.
@@ -77,15 +84,7 @@ impl Envelope {
 /// How far the motion has been integrated, forwards and backwards. A request that begins no earlier goes on from there,
 /// with the same steps as from the launch.
 #[derive(Clone, Debug, Default)]
-pub struct EnvelopeWalks([Option<Box<Walk>>; 2]);
-
-/// The slow variables at one time, lengths in l.
-struct Elements {
-    a: f64,
-    b: f64,
-    azimuth: f64,
-    phase: f64,
-}
+pub struct EnvelopeWalks([Option<Box<AveragedStepper>>; 2]);
 
 impl EnvelopeMotion {
     /// Under everything that acts; the pendulum is as given, without the bob's corrections. `exact` as in [`Self::new`].
@@ -97,7 +96,8 @@ impl EnvelopeMotion {
         Self::new(effective, launch, acting.forces(), acting.drive, exact)
     }
 
-    /// With `exact`, ω and Ω are those of the closed form, and linear drag is averaged at any amplitude.
+    /// The averaged motion of this launch. With `exact`, everything is averaged over the closed form at any amplitude;
+    /// otherwise over harmonic swings with Olsson's (25) and (26).
     ///
     /// # Errors
     /// A pendulum or launch that makes no sense, one that rises to the support's level, and forces that change a swing
@@ -120,15 +120,16 @@ impl EnvelopeMotion {
                 most,
             })?;
         }
-        let law = Law::new(&forces, drive, pendulum.length, omega0, exact);
+        let equations = AveragedEquations::new(&forces, drive, pendulum.length, omega0, exact);
         let [mut place, mut rate] = [[0.0; 3]; 2];
         motion.fill(Quantity::Position, Times::Scattered(&[0.0]), &mut place);
         motion.fill(Quantity::Velocity, Times::Scattered(&[0.0]), &mut rate);
         let [x, y, z] = place;
-        let start = if z > 0.0 { mean(&pendulum, &law, [x, y], [rate[0], rate[1]]) } else { None };
+        let start = if z > 0.0 { mean(&pendulum, &equations, [x, y], [rate[0], rate[1]]) } else { None };
         let height = motion.turning_heights()[0];
         let start = start.ok_or(Invalid::RisesToSupport { height, length: pendulum.length })?;
-        Ok(Self { pendulum, law, start, omega0 })
+        let ideal = (exact && equations.is_ideal()).then_some(motion);
+        Ok(Self { pendulum, given: (launch, forces, drive), equations, start, omega0, ideal })
     }
 
     /// At an outer turning point of the mean motion itself: turning radii a and b in m, b with the sign of the sense, and the
@@ -143,54 +144,71 @@ impl EnvelopeMotion {
         drive: Drive,
         exact: bool,
     ) -> Result<Self, Invalid> {
-        let launch = Launch::Apsides { a, b, azimuth };
-        let mut motion = Self::new(pendulum, launch, forces, drive, exact)?;
-        let ideal = ExactMotion::new(pendulum, launch)?;
-        let [mut place, mut rate] = [[0.0; 3]; 2];
-        ideal.fill(Quantity::Position, Times::Scattered(&[0.0]), &mut place);
-        ideal.fill(Quantity::Velocity, Times::Scattered(&[0.0]), &mut rate);
-        if let Some(start) = osculating(&pendulum, [place[0], place[1]], [rate[0], rate[1]]) {
-            motion.start = start;
+        let mut motion = Self::new(pendulum, Launch::Apsides { a, b, azimuth }, forces, drive, exact)?;
+        let mut sizes = motion.equations.amplitudes([a / pendulum.length, b.abs() / pendulum.length]);
+        if b < 0.0 {
+            sizes.reverse();
         }
+        motion.start = Moment::of(sizes, [azimuth; 2]);
         Ok(motion)
+    }
+
+    /// The same with the intrinsic precession Ω multiplied by a factor: what a support that stiffens with amplitude, or a
+    /// magnet below the bob, makes of κ in Ω = κ ω0 ab/l², 3/8 in an ideal pendulum.
+    pub fn with_intrinsic_factor(mut self, factor: f64) -> Self {
+        self.equations.intrinsic = factor;
+        self.ideal = self.ideal.filter(|_| factor == 1.0);
+        self
     }
 
     /// Fills `out`, [`Envelope::width`] numbers to a time; beyond an end it is left as it was.
     ///
     /// # Errors
-    /// The time in s at which the bob comes level with the support.
+    /// The time in s at which the bob comes level with the support, or the wish of `stop`, which is asked every few
+    /// milliseconds.
     ///
     /// # Panics
     /// If times and `out` do not have the same count.
-    pub fn fill(&self, what: Envelope, times: &[f64], out: &mut [f64], walks: &mut EnvelopeWalks) -> Result<(), f64> {
+    pub fn fill(
+        &self,
+        what: Envelope,
+        times: &[f64],
+        out: &mut [f64],
+        walks: &mut EnvelopeWalks,
+        stop: Stop<'_>,
+    ) -> Result<(), Halt> {
         assert_eq!(what.width() * times.len(), out.len(), "so many numbers to a time");
-        both_ways(times, |side, order| self.sweep(side, order, what, times, out, walks))
-    }
-
-    /// By which share of itself each force changes a swing of the launch's size: linear and quadratic drag, the
-    /// suspension's stiffness and damping, the drive.
-    pub fn strengths(&self) -> [f64; 5] {
-        let Circles { p, q, .. } = Circles::of(&self.start.state);
-        self.law.strengths(p + q)
+        both_ways(times, |side, order| self.sweep(side, order, what, times, out, walks, stop))
     }
 
     /// The times in s between which the motion holds, looked for up to `within` s and some thousand steps to both sides.
-    pub fn span(&self, within: f64) -> [f64; 2] {
-        [-1.0, 1.0].map(|direction| {
-            if self.law.is_conservative() {
-                return direction * f64::INFINITY;
-            }
-            let mut walk = Walk::new(&self.law, &self.start, direction);
-            for _ in 0..MOST_STEPS {
+    ///
+    /// # Errors
+    /// Only the wish of `stop`.
+    pub fn span(&self, within: f64, stop: Stop<'_>) -> Result<[f64; 2], Halt> {
+        let mut span = [f64::NEG_INFINITY, f64::INFINITY];
+        if self.equations.is_conservative() {
+            return Ok(span);
+        }
+        for (direction, end) in [-1.0, 1.0].into_iter().zip(&mut span) {
+            let mut walk = AveragedStepper::new(&self.equations, &self.start, direction);
+            for step in 1..=MOST_STEPS {
                 if walk.ended || walk.until().abs() >= within * self.omega0 {
                     break;
                 }
-                walk.advance(&self.law);
+                walk.advance(&self.equations);
+                if step % PATIENCE == 0 && stop() {
+                    return Err(Halt::Interrupted);
+                }
             }
-            if walk.ended { walk.until() / self.omega0 } else { direction * f64::INFINITY }
-        })
+            if walk.ended {
+                *end = walk.until() / self.omega0;
+            }
+        }
+        Ok(span)
     }
 
+    #[expect(clippy::too_many_arguments)]
     fn sweep(
         &self,
         side: usize,
@@ -199,140 +217,185 @@ impl EnvelopeMotion {
         times: &[f64],
         out: &mut [f64],
         walks: &mut EnvelopeWalks,
-    ) -> Result<(), f64> {
+        stop: Stop<'_>,
+    ) -> Result<(), Halt> {
         let width = what.width();
+        if self.equations.is_free() {
+            return self.sweep_free(order, what, times, out, stop);
+        }
         let slot = &mut walks.0[side];
+        let mut done = 0;
+        let mut is_unwanted = || {
+            done += 1;
+            done % PATIENCE == 0 && stop()
+        };
         for index in order {
             let time = times[index] * self.omega0;
             if slot.as_ref().is_some_and(|walk| walk.is_past(time)) {
                 *slot = None;
             }
-            let walk = slot.get_or_insert_with(|| Box::new(Walk::new(&self.law, &self.start, [1.0, -1.0][side])));
+            let fresh = || Box::new(AveragedStepper::new(&self.equations, &self.start, [1.0, -1.0][side]));
+            let walk = slot.get_or_insert_with(fresh);
             while !walk.reaches(time) {
                 if walk.ended {
-                    return Err(walk.until() / self.omega0);
+                    return Err(Halt::Ended(walk.until() / self.omega0, Ending::Level));
                 }
-                walk.advance(&self.law);
+                walk.advance(&self.equations);
+                if is_unwanted() {
+                    return Err(Halt::Interrupted);
+                }
             }
             self.write(what, time, &walk.at(time), &mut out[width * index..width * (index + 1)]);
+            if is_unwanted() {
+                return Err(Halt::Interrupted);
+            }
+        }
+        Ok(())
+    }
+
+    /// Without forces, or on a turning ground, nothing has to be integrated.
+    fn sweep_free(
+        &self,
+        order: &mut dyn Iterator<Item = usize>,
+        what: Envelope,
+        times: &[f64],
+        out: &mut [f64],
+        stop: Stop<'_>,
+    ) -> Result<(), Halt> {
+        let width = what.width();
+        let slope = self.equations.slope(&self.start.state);
+        for (done, index) in order.enumerate() {
+            let out = &mut out[width * index..width * (index + 1)];
+            match (what, &self.ideal) {
+                (Envelope::Point(quantity), Some(ideal)) => {
+                    ideal.fill(quantity, Times::Scattered(&times[index..=index]), out)
+                }
+                _ => {
+                    let time = times[index] * self.omega0;
+                    self.write(what, time, &self.start.after(time, &slope), out);
+                }
+            }
+            if done % PATIENCE == PATIENCE - 1 && stop() {
+                return Err(Halt::Interrupted);
+            }
         }
         Ok(())
     }
 
     fn write(&self, what: Envelope, time: f64, moment: &Moment, out: &mut [f64]) {
-        let length = self.pendulum.length;
-        let elements = Elements::of(moment, time);
+        let Moment { state, angles: [ahead, behind] } = moment;
+        let azimuth = 0.5 * (ahead + behind);
+        let phase = time + state[4] + 0.5 * (ahead - behind);
         match what {
-            Envelope::SemiAxes => out.copy_from_slice(&[length * elements.a, length * elements.b]),
-            Envelope::Azimuth => out[0] = elements.azimuth,
-            Envelope::Phase => out[0] = elements.phase,
+            Envelope::Azimuth => return out[0] = azimuth,
+            Envelope::Phase => return out[0] = phase,
+            _ => {}
+        }
+        let circles = Circles::of(state);
+        let Some(swing) = self.equations.swing(&circles) else { return out.fill(f64::NAN) };
+        let length = self.pendulum.length;
+        match what {
+            Envelope::Azimuth | Envelope::Phase => {}
+            Envelope::SemiAxes => out.copy_from_slice(&swing.radii().map(|radius| length * radius)),
             Envelope::Rates => {
-                let circles = Circles::of(&moment.state);
-                let [ahead, behind] = self.law.growth(&circles);
-                for (out, share) in out.iter_mut().zip(self.law.shares(&circles)) {
+                for (out, share) in out.iter_mut().zip(self.equations.shares(&circles)) {
                     *out = share * self.omega0;
                 }
-                out[law::CAUSES] = (ahead + behind) * self.omega0 * length;
-                out[law::CAUSES + 1] = (ahead - behind) * self.omega0 * length;
+                let rates = swing.radii_rates(self.equations.growth(&circles, &swing));
+                out[equations::CAUSES..].copy_from_slice(&rates.map(|rate| rate * self.omega0 * length));
             }
-            Envelope::Point(quantity) => out.copy_from_slice(&self.point(quantity, time, moment, &elements)),
+            Envelope::Point(quantity) => {
+                let point = self.point(quantity, [azimuth, phase], &circles, &swing);
+                out.copy_from_slice(&point);
+            }
         }
     }
 
     /// On the ideal motion between the two turning radii, with the rates that the forces add.
-    fn point(&self, quantity: Quantity, time: f64, moment: &Moment, elements: &Elements) -> [f64; 3] {
-        let (length, omega0) = (self.pendulum.length, self.omega0);
-        let &Elements { a, b, azimuth, phase } = elements;
-        let ideal = Launch::Apsides { a, b: b.clamp(-a, a), azimuth: 0.0 };
-        let unit = Pendulum { length: 1.0, gravity: 1.0, mass: 1.0 };
-        let motion = match ExactMotion::new(unit, ideal) {
-            Ok(motion) => motion,
-            // The swing has died away.
-            Err(Invalid::TooSmall { .. }) => {
-                return match quantity {
-                    Quantity::Position => [0.0, 0.0, length],
-                    Quantity::Velocity => [0.0; 3],
-                };
-            }
-            Err(_) => return [f64::NAN; 3],
+    fn point(&self, quantity: Quantity, [azimuth, phase]: [f64; 2], circles: &Circles, swing: &Swing) -> [f64; 3] {
+        let length = self.pendulum.length;
+        let placed = self.equations.in_place(circles, swing);
+        let placed = placed.and_then(|placed| Some((placed, swing.moved(circles.actions(), placed.actions())?)));
+        let (circles, swing, moved) = match &placed {
+            Some((placed, swing)) => (placed, swing, placed.turned_from(circles)),
+            None => (circles, swing, [0.0; 2]),
         };
-        let at_launch = motion.phase();
-        let (Chart::Trigonometric(chart), turn) = motion.chart(&at_launch) else {
-            return match quantity {
-                Quantity::Position => [0.0, 0.0, length],
-                Quantity::Velocity => [0.0; 3],
-            };
-        };
-        let Phase::Periodic { start, .. } = at_launch else { return [f64::NAN; 3] };
-        let (sin, cos) = (PI * start.hi + phase).sin_cos();
-        let shape = chart.at_any::<true>(cos, sin);
-        let (sin, cos) = (azimuth + std::f64::consts::TAU * turn).sin_cos();
-        let [x, y] = product::<Portable>([cos, sin], [shape.unit * shape.x, shape.unit * shape.y]);
-        let depth = 1.0 - shape.unit * shape.height;
+        let (azimuth, phase) = (azimuth + 0.5 * (moved[0] + moved[1]), phase + 0.5 * (moved[0] - moved[1]));
+        let direction = Complex64::cis(azimuth);
+        let turn = Complex64::cis(phase);
+        let form = swing.form.map(|number| number.value);
+        let place = direction * form.place(turn);
+        let depth = (1.0 - place.norm_sqr()).sqrt();
         match quantity {
-            Quantity::Position => [length * x, length * y, length * depth],
+            Quantity::Position => [length * place.re, length * place.im, length * depth],
             Quantity::Velocity => {
-                let swing = motion.frequency();
-                let turning = motion.precession();
-                let rate = [swing * shape.x_rate - turning * shape.y, swing * shape.y_rate + turning * shape.x]
-                    .map(|value| shape.unit * value);
-                let [vx, vy] = product::<Portable>([cos, sin], rate);
-                let [added_x, added_y] = slow_velocity(&self.law, moment, time);
-                let [vx, vy] = [vx + added_x, vy + added_y];
-                [vx, vy, -(x * vx + y * vy) / depth].map(|v| v * length * omega0)
+                let ideal = form.velocity(turn);
+                let rate = direction * (ideal + self.equations.drift(circles, swing, phase));
+                let sinking = -(place.conj() * rate).re / depth;
+                [rate.re, rate.im, sinking].map(|v| v * length * self.omega0)
             }
         }
     }
-}
-
-impl Elements {
-    fn of(moment: &Moment, time: f64) -> Self {
-        let Circles { p, q, .. } = Circles::of(&moment.state);
-        let [ahead, behind] = moment.angles;
-        let phase = time + moment.state[4] + 0.5 * (ahead - behind);
-        Self { a: p + q, b: p - q, azimuth: 0.5 * (ahead + behind), phase }
-    }
-}
-
-/// What the forces add to the velocity of the ideal motion, in lω0: of the swing's fundamental.
-fn slow_velocity(law: &Law, moment: &Moment, time: f64) -> [f64; 2] {
-    let [ahead, behind] = law.gentle(&Circles::of(&moment.state));
-    let (sin, cos) = (time + moment.state[4]).sin_cos();
-    let first = product::<Portable>([cos, sin], ahead);
-    let second = product::<Portable>([cos, -sin], behind);
-    [first[0] + second[0], first[1] + second[1]]
 }
 
 /// The mean motion that is at this place (m) with this velocity (m/s) at t = 0; none where it rises to the support.
 ///
 /// Mean, not osculating: the velocity is that of the ideal motion and what the forces add to it, by iteration. For
 /// forces linear in place and velocity that is exact.
-fn mean(pendulum: &Pendulum, law: &Law, [x, y]: [f64; 2], velocity: [f64; 2]) -> Option<Moment> {
+fn mean(pendulum: &Pendulum, equations: &AveragedEquations, [x, y]: [f64; 2], velocity: [f64; 2]) -> Option<Moment> {
     let speed = pendulum.length * pendulum.angular_frequency();
-    let mut added = [0.0; 2];
-    let mut moment = osculating(pendulum, [x, y], velocity)?;
+    let mut added = Complex64::ZERO;
+    let mut moment = osculating(pendulum, equations, [x, y], velocity)?;
     for _ in 0..12 {
-        let next = slow_velocity(law, &moment, 0.0);
-        let moved = (next[0] - added[0]).hypot(next[1] - added[1]);
+        let circles = Circles::of(&moment.state);
+        let swing = equations.swing(&circles)?;
+        let [ahead, behind] = moment.angles;
+        let direction = Complex64::cis(0.5 * (ahead + behind));
+        let next = direction * equations.drift(&circles, &swing, 0.5 * (ahead - behind));
+        let moved = (next - added).norm();
         added = next;
-        moment = osculating(pendulum, [x, y], [velocity[0] - speed * added[0], velocity[1] - speed * added[1]])?;
+        moment =
+            osculating(pendulum, equations, [x, y], [velocity[0] - speed * added.re, velocity[1] - speed * added.im])?;
         if moved <= 1e-16 {
             break;
         }
     }
-    Some(moment)
+    // What is in this place, and from there the slow variables themselves.
+    let target = Circles::of(&moment.state).amplitudes();
+    let mut found = target;
+    for _ in 0..8 {
+        let circles = Circles::from(found);
+        let Some(placed) = equations.in_place(&circles, &equations.swing(&circles)?) else { break };
+        let missing = [0, 1].map(|k| target[k] - placed.amplitudes()[k]);
+        found = [found[0] + missing[0], found[1] + missing[1]];
+        if missing[0].norm() + missing[1].norm() <= 1e-17 {
+            break;
+        }
+    }
+    let turned = [0, 1].map(|k| if target[k].norm() > 0.0 { (found[k] / target[k]).arg() } else { 0.0 });
+    let angles = [moment.angles[0] + turned[0], moment.angles[1] + turned[1]];
+    let [ahead, behind] = angles;
+    let actions =
+        equations.settled(found.map(|value| value.norm_sqr()), 0.5 * (ahead + behind), 0.5 * (ahead - behind));
+    Some(Moment::of(actions.map(|action| action.max(0.0).sqrt()), angles))
 }
 
 /// The ideal motion with this position and velocity; none where it rises to the support.
-fn osculating(pendulum: &Pendulum, [x, y]: [f64; 2], [vx, vy]: [f64; 2]) -> Option<Moment> {
+fn osculating(
+    pendulum: &Pendulum,
+    equations: &AveragedEquations,
+    [x, y]: [f64; 2],
+    [vx, vy]: [f64; 2],
+) -> Option<Moment> {
     let motion = ExactMotion::new(*pendulum, Launch::Plane { x, y, vx, vy }).ok()?;
     let ellipse = motion.ellipse();
     let [a, b] = [ellipse.a, ellipse.b].map(|radius| radius / pendulum.length);
     if motion.rises_above() || a > LARGEST {
         return None;
     }
-    let (p, q) = (0.5 * (a + b), 0.5 * (a - b));
-    let angles = [ellipse.azimuth + ellipse.phase, ellipse.azimuth - ellipse.phase];
-    let [ahead, behind] = angles.map(f64::sin_cos);
-    Some(Moment { state: [p * ahead.1, p * ahead.0, q * behind.1, q * behind.0, 0.0, 0.0, 0.0], angles })
+    let mut sizes = equations.amplitudes([a, b.abs()]);
+    if b < 0.0 {
+        sizes.reverse();
+    }
+    Some(Moment::of(sizes, [ellipse.azimuth + ellipse.phase, ellipse.azimuth - ellipse.phase]))
 }

@@ -1,73 +1,75 @@
-//! A push away from the axis once in each half swing, averaged.
+//! A push away from the axis once in each half swing, averaged at any amplitude.
 //!
-//! It leaves the angular momentum as it is and adds push·dρ/dt + (push cos θ)²/2 to the energy, at any amplitude; what
-//! it does to plane and phase is that of small swings: Δ(x + iy)' = push·(x + iy)/ρ, seen from A±.
+//! A sudden change of the radial velocity at the phase Θ changes the actions by push·∂ρ/∂Θ and push·∂ρ/∂ψ = 0, and the
+//! angles by −push·∂ρ/∂J, ρ(Θ; J) being the distance from the axis; half its own square times cos² θ is energy as well.
 
+use super::swing::Swing;
 use crate::given::drive::Drive;
+use crate::numbers::elliptic::Ladder;
+use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// B±' over e^{i arg B±}: the real parts are p' and q'. None where there is no push in this swing, or no swing.
-pub(super) fn averaged(drive: &Drive, p: f64, q: f64, frequency: f64) -> Option<[[f64; 2]; 2]> {
-    let height = |square: f64| square / (1.0 + (1.0 - square).sqrt());
-    let (outer, inner) = ((p + q) * (p + q), (p - q) * (p - q));
-    let (high, low) = (height(outer), height(inner));
-    let (sum, product) = (high + low, high * low);
-    let rest = 2.0 - sum;
-    let range = 4.0 * p * q / rest; // high − low
-    if range <= 0.0 {
-        return None; // a circle passes no closest point
-    }
-    let third = 2.0 + product / rest;
-    // Height of the push, and 2Θ there, Θ from an outer turning point.
-    let (push, at, [cos, sin]) = match *drive {
-        Drive::Absent => return None,
-        Drive::Phase { push, phase } => {
-            let angle = phase * frequency;
-            // sn by the first two terms of its Fourier series, q = m/16 + m²/32: DLMF 22.11.1.
-            let m = range / (third - low);
-            let nome = m * (2.0 + m) / 32.0;
-            let sn = (angle.sin() + nome * (3.0 * angle).sin()) / (1.0 - nome);
-            let (sin, cos) = (2.0 * (FRAC_PI_2 + angle)).sin_cos();
-            (push, low + range * (sn * sn).min(1.0), [cos, sin])
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Push {
+    /// Θ at the push, from an outer turning point on.
+    pub(super) phase: f64,
+    /// Rate of J_Θ.
+    pub(super) action: f64,
+    /// What the phases of A± lose and gain: push·∂ρ/∂ ln X and push·∂ρ/∂ ln Y, as rates.
+    pub(super) along: [f64; 2],
+}
+
+impl Push {
+    /// None where there is no push in this swing, or no swing.
+    pub(super) fn of(drive: &Drive, swing: &Swing) -> Option<Self> {
+        let range = 2.0 * (swing.x * swing.y).sqrt();
+        if range <= 1e-15 * (swing.x + swing.y) {
+            return None; // a circle passes no closest point
         }
-        Drive::Radius { push, radius } => {
-            let square = radius * radius;
-            if !(inner..=outer).contains(&square) {
-                return None;
+        let frequency = swing.form.frequency.value;
+        let (push, phase) = match *drive {
+            Drive::Absent => return None,
+            Drive::Phase { push, phase } => (push, FRAC_PI_2 + phase * frequency),
+            Drive::Radius { push, radius } => (push, FRAC_PI_2 + phase_at(radius, swing)?),
+        };
+        let (mut place, mut rate) = (Complex64::ZERO, Complex64::ZERO);
+        let mut along = [Complex64::ZERO; 2];
+        for (order, ahead, behind) in swing.form.harmonics() {
+            let turn = Complex64::cis(order * phase);
+            let (first, second) = (turn * ahead.value, turn.conj() * behind.value);
+            place += first + second;
+            rate += order * Complex64::I * (first - second);
+            let (more, less) = (swing.along_actions(ahead), swing.along_actions(behind));
+            for (k, along) in along.iter_mut().enumerate() {
+                *along += turn * more[k] + turn.conj() * less[k];
             }
-            // ρ² = p² + q² + 2pq cos 2Θ, and ρ grows where sin 2Θ < 0.
-            let cos = ((square - p * p - q * q) / (2.0 * p * q)).clamp(-1.0, 1.0);
-            (push, height(square), [cos, -(1.0 - cos * cos).sqrt()])
         }
-    };
-    let rising = (2.0 * ((at - low) * (high - at)).max(0.0) * (third - at)).sqrt(); // |ds/dt|
-    let (depth, radius_squared) = (1.0 - at, at * (2.0 - at));
-    let outward = if radius_squared > 0.0 {
-        depth * if sin > 0.0 { -rising } else { rising } / radius_squared.sqrt()
-    } else {
-        (2.0 * high * third).sqrt() // straight through the lowest point
-    };
-    let gain = frequency / PI * push * (outward + 0.5 * push * depth * depth);
+        let distance = place.norm();
+        // Straight through the lowest point, away from the axis is where the bob is going.
+        let outward = if distance > 0.0 { place / distance } else { rate / rate.norm() };
+        let along = along.map(|along| frequency / PI * push * (outward.conj() * along).re);
+        let depth_squared = 1.0 - distance * distance;
+        let gain = push * (outward.conj() * rate).re + 0.5 * push * push * depth_squared / frequency;
+        Some(Self { phase, action: frequency / PI * gain, along })
+    }
+}
 
-    // From ε = S + w/u and λ² = w(4 + 2w/u) at constant λ; S, w, u, D as in `ideal`.
-    let (r, r2) = (product / rest, product / (rest * rest));
-    let determinant = 4.0 * (1.0 + r + r2) + 2.0 * r * r2;
-    let (sum_rate, product_rate) = (4.0 * gain * (1.0 + r) / determinant, -2.0 * product * r2 * gain / determinant);
-    let squares_rate = 2.0 * (1.0 - sum) * sum_rate + 2.0 * product_rate; // of a² + b²
-    let area = (p * p - q * q).abs(); // |ab| = √(w(2u + w))
-    let per_product = if product > 0.0 { product_rate / product } else { 0.0 };
-    let area_rate = 0.5 * area * (per_product + (product_rate - 2.0 * sum_rate) / (2.0 * rest + product));
-    let larger_rate = (squares_rate + 2.0 * area_rate) / (8.0 * p.max(q));
-    let range_rate = (sum * sum_rate - 2.0 * product_rate) / range;
-    let both_rate = 0.25 * (range_rate * rest - range * sum_rate); // of pq
-    let smaller_rate = (both_rate - larger_rate * p.min(q)) / p.max(q);
-    let [first, second] = if p >= q { [larger_rate, smaller_rate] } else { [smaller_rate, larger_rate] };
-
-    // ±(1/2i) push e^{∓iΘ}(x + iy)/ρ: the imaginary parts.
-    let sideways = |own: f64, other: f64| {
-        let (re, im) = (own + other * cos, other * sin);
-        let radius = re.hypot(im);
-        if radius > 0.0 { 0.5 * frequency / PI * push * re / radius } else { 0.0 }
-    };
-    Some([[first, -sideways(p, q)], [second, sideways(q, p)]])
+/// Θ since the closest approach at which the bob is that far from the axis, on the way out; none where it never is.
+fn phase_at(radius: f64, swing: &Swing) -> Option<f64> {
+    let &Swing { x, y, .. } = swing;
+    if swing.is_harmonic {
+        let (outer, inner) = (x.sqrt() + y.sqrt(), x.sqrt() - y.sqrt());
+        let (above, below) = (radius * radius - inner * inner, outer * outer - radius * radius);
+        return (above >= 0.0 && below >= 0.0).then(|| above.sqrt().atan2(below.sqrt()));
+    }
+    let range = 2.0 * (x * y).sqrt();
+    let (sum, difference) = (x + y, x - y);
+    let height = radius * radius / (1.0 + (1.0 - radius * radius).sqrt());
+    let (low, high) = (0.5 * (sum - range), 0.5 * (sum + range));
+    if !(low..=high).contains(&height) {
+        return None;
+    }
+    let third = 2.0 + 0.25 * difference * difference / (2.0 - sum);
+    let ladder = Ladder::new(third - low, third - high, range);
+    Some(ladder.argument((height - low).sqrt().atan2((high - height).sqrt())))
 }

@@ -92,7 +92,7 @@ impl PrecessionBudget {
     pub fn at_start(motion: &EnvelopeMotion) -> (Self, [f64; 2]) {
         let mut rates = [f64::NAN; 7];
         // The start lies within every motion.
-        let _ = motion.fill(Envelope::Rates, &[0.0], &mut rates, &mut EnvelopeWalks::default());
+        let _ = motion.fill(Envelope::Rates, &[0.0], &mut rates, &mut EnvelopeWalks::default(), &|| false);
         let [earth, intrinsic, anisotropy, damping, drive, a, b] = rates;
         (Self([earth, intrinsic, anisotropy, damping, drive]), [a, b])
     }

@@ -67,8 +67,8 @@ pub fn settle(
     let mut walks = EnvelopeWalks::default();
     let mut read = |time: f64| {
         let (mut azimuth, mut axes) = ([f64::NAN], [f64::NAN; 2]);
-        let held = motion.fill(Envelope::Azimuth, &[time], &mut azimuth, &mut walks).is_ok()
-            && motion.fill(Envelope::SemiAxes, &[time], &mut axes, &mut walks).is_ok();
+        let held = motion.fill(Envelope::Azimuth, &[time], &mut azimuth, &mut walks, &|| false).is_ok()
+            && motion.fill(Envelope::SemiAxes, &[time], &mut axes, &mut walks, &|| false).is_ok();
         held.then_some((azimuth[0], axes))
     };
     for reading in 0..READINGS {

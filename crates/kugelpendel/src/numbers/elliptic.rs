@@ -4,35 +4,31 @@
 //! digits. Conventions: the parameter is m = 1 − (b_0/a_0)², angles in radians, nome q = exp(−πK'/K).
 //! Source: Abramowitz & Stegun 16.12, 17.6; NIST DLMF 19.8, 22.7.
 
-const STEPS: usize = 12;
+use crate::numbers::landen::Landen;
 
-/// a_n, b_n and c_n = √(a_n² − b_n²); c_0 is not needed and left 0.
-#[derive(Clone, Copy, Debug, Default)]
-struct Rung {
-    a: f64,
-    b: f64,
-    c: f64,
-}
+const STEPS: usize = 12;
 
 /// The arithmetic-geometric ladder down to c_n ≤ 1e-9 a_n.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ladder {
-    rungs: [Rung; STEPS + 1],
+    rungs: [Landen<f64>; STEPS + 1],
     last: usize,
 }
 
 impl Ladder {
     /// From a_0², b_0² and a_0² − b_0².
     pub(crate) fn new(larger: f64, smaller: f64, difference: f64) -> Self {
-        let mut rung = Rung { a: larger.sqrt(), b: smaller.sqrt(), c: 0.0 };
+        // c_1² needs no c_0, which the difference has with all its digits.
+        let mut rung = Landen { a: larger.sqrt(), b: smaller.sqrt(), c: 0.0 };
         let mut ladder = Self { rungs: [rung; STEPS + 1], last: 0 };
         while ladder.last < STEPS {
-            let a = 0.5 * (rung.a + rung.b);
-            let square = if ladder.last == 0 { difference } else { rung.c * rung.c };
-            rung = Rung { a, b: (rung.a * rung.b).sqrt(), c: 0.25 * square / a };
+            rung = rung.next();
+            if ladder.last == 0 {
+                rung.c = 0.25 * difference / rung.a;
+            }
             ladder.last += 1;
             ladder.rungs[ladder.last] = rung;
-            if rung.c <= 1e-9 * a {
+            if rung.c <= 1e-9 * rung.a {
                 break;
             }
         }
@@ -57,7 +53,7 @@ impl Ladder {
     pub(crate) fn argument(&self, amplitude: f64) -> f64 {
         let (mut phi, mut argument, mut weight) = (amplitude, amplitude, 0.5);
         for n in 0..self.last {
-            let Rung { a, b, .. } = self.rungs[n];
+            let Landen { a, b, .. } = self.rungs[n];
             let (sin, cos) = phi.sin_cos();
             // tan(2φ_n − φ_{n+1}) = (a_n − b_n) sin φ cos φ/(a_n cos² φ + b_n sin² φ), and a_n − b_n = 2c_{n+1}.
             let delta = (2.0 * self.rungs[n + 1].c * sin * cos).atan2(a * cos * cos + b * sin * sin);
@@ -77,7 +73,7 @@ impl Ladder {
         while n < self.last || (w > 1e-9 * rung.a && n < 3 * STEPS) {
             w *= 0.5 * ((rung.c * rung.c + w * w) / (rung.a * rung.a + w * w)).sqrt();
             n += 1;
-            rung = if n <= self.last { self.rungs[n] } else { Rung { c: 0.25 * rung.c * rung.c / rung.a, ..rung } };
+            rung = if n <= self.last { self.rungs[n] } else { Landen { c: 0.25 * rung.c * rung.c / rung.a, ..rung } };
         }
         let sum = w + w.hypot(rung.c);
         let reduced = (1..n).fold(sum / (4.0 * rung.a), |v, _| v.sqrt());

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from io import StringIO
 from typing import TYPE_CHECKING
 
@@ -29,7 +30,7 @@ def check(equation: str | None, language: str | None, is_json: bool) -> int:
     The exit code, which is 1 if anything fails.
     """
     words = paper.words(known_language(language))
-    labels = [formula.label for formula in paper.FORMULAS]
+    labels = list(paper.subjects())
     if equation is not None:
         target = known_label(equation)
         labels = [*paper.rests_on(target), *(one.label for one in paper.parts(target))]
@@ -47,28 +48,68 @@ def check(equation: str | None, language: str | None, is_json: bool) -> int:
 
 
 def table(rows: Sequence[paper.Row], words: paper.Words, width: int = 80) -> list[str]:
-    """Give the lines of a table: label, step, both proofs and the mutants; then the sums."""
+    """Give the lines of a table: label, step, both proofs and the mutants; then the sums.
+
+    What is said of the formulas, the formulas of the wording and the sabotages are summed up; what
+    is at fault in them is listed at the end.
+    """
     heads = ("label", "step", "symbolic", "numeric", "mutants")
     drawn = Table(box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False, header_style="")
     for head in heads:
         drawn.add_column(words.ui(f"check_{head}"))
-    for row in rows:
+    formulas = [row for row in rows if row.step != paper.StepKind.STATE]
+    for row in formulas:
         marks = (_mark(row.symbolic, words), _mark(row.numeric, words))
         drawn.add_row(f"({row.label})", words.kind(row.step), *marks, _mutants(row, words))
     console = Console(file=StringIO(), width=width, highlight=False, markup=False)
     with console.capture() as captured:
         console.print(drawn)
-    proved = sum(row.symbolic and row.numeric for row in rows)
+    proved = sum(row.symbolic and row.numeric for row in formulas)
     killed, equal = sum(row.killed for row in rows), sum(row.equal for row in rows)
     mutants = sum(row.mutants for row in rows)
     survivors = [f"({row.label}) {text}" for row in rows for text in row.survivors]
     return [
         *(line.rstrip() for line in captured.get().splitlines()),
         "",
-        words.ui("check_proved", proved, len(rows)),
+        *_said(rows, words),
+        *_sabotages(rows, words),
+        words.ui("check_proved", proved, len(formulas)),
         words.ui("check_sums", mutants, killed, equal, len(survivors)),
         *survivors,
+        *(f"({row.label}) {text}" for row in rows for text in (*row.faults, *row.unnoticed)),
+        *(f"({row.label}) {_mark(False, words)}" for row in _wording(rows) if not row.symbolic),
     ]
+
+
+def _wording(rows: Sequence[paper.Row]) -> list[paper.Row]:
+    """Rows of the formulas that stand in sentences."""
+    return [row for row in rows if row.label in paper.STATEMENTS]
+
+
+def _said(rows: Sequence[paper.Row], words: paper.Words) -> list[str]:
+    formulas = [row for row in rows if row.step != paper.StepKind.STATE]
+    lines = [words.ui("check_said", sum(not row.faults for row in formulas), len(formulas))]
+    stated = _wording(rows)
+    if stated:
+        whole = [row for row in rows if row.label in paper.LANGUAGES]
+        proved = sum(row.symbolic for row in stated)
+        sound = sum(not row.faults for row in whole)
+        lines.append(words.ui("check_wording", proved, len(stated), sound, len(whole)))
+    return lines
+
+
+def _sabotages(rows: Sequence[paper.Row], words: paper.Words) -> list[str]:
+    """How many sabotages of each kind were made, and how many of them were noticed."""
+    made, noticed = Counter[str](), Counter[str]()
+    for row in rows:
+        for kind, tried, found in row.sabotages:
+            made[kind] += tried
+            noticed[kind] += found
+    lines = [
+        words.ui("check_sabotage", words.ui(f"check_of_{kind}"), noticed[kind], made[kind])
+        for kind in made
+    ]
+    return [words.ui("check_sabotages", noticed.total(), made.total()), *lines] if lines else []
 
 
 def _mark(holds: bool, words: paper.Words) -> str:

@@ -19,6 +19,7 @@ import secrets
 import shutil
 import sys
 from contextlib import suppress
+from filecmp import cmp
 from typing import TYPE_CHECKING, Literal
 
 from kugelpendel.cli.output import manifest
@@ -161,6 +162,8 @@ def _settle(stage: Path) -> None:
         source, place = stage / which / name, folder / name
         if place.exists() and place.samefile(source):
             continue  # of two links to one file, a renaming would remove none
+        if which == "old" and place.is_file() and cmp(source, place, shallow=False):
+            continue  # it was never replaced, and maybe cannot be
         _link(source, stage / _MOVING)
         (stage / _MOVING).replace(place)
     for path in (stage / other).iterdir():

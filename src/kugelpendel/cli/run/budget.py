@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kugelpendel.motion import CAUSES
-from kugelpendel.spelling import rate_unit, significant, spell
+from kugelpendel.spelling import minus, rate_unit, significant, spell
 
 if TYPE_CHECKING:
     from kugelpendel.motion import PrecessionBudget, Stretch
@@ -42,7 +42,7 @@ def shares_table(shares: PrecessionBudget) -> list[str]:
     when = (spell(float(shares.times[at]), "s", 3) for at in (slow, fast))
     where = (f"{_folded(float(shares.azimuth[at])):.0f}°" for at in (slow, fast))
     rows.append(("  at the time", "", "", "", *when))
-    rows.append(("  at the azimuth", "", "", "", *(text.replace("-", "−") for text in where)))
+    rows.append(("  at the azimuth", "", "", "", *map(minus, where)))
     return [f"{row[0]:<17}" + "".join(f"{cell:>12}" for cell in row[1:]) for row in rows]
 
 
@@ -89,7 +89,7 @@ def _fixed(value: float) -> str:
     if abs(value) < 5e-4:
         return "0.000" if value else "0"
     text = f"{value:+.3f}" if abs(value) < 1000 else significant(value, 4)
-    return text.replace("-", "−")
+    return minus(text)
 
 
 def _folded(azimuth: float) -> float:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import kugelpendel as kp
 from kugelpendel.cli.run.findings import envelope
+from kugelpendel.spelling import minus
 
 if TYPE_CHECKING:
     from kugelpendel.cli.job_file.job import Job
@@ -44,5 +45,5 @@ def describe_clamp(notes: dict[str, str], turned: float) -> list[str]:
     lines = [f"The clamp: {notes['alone']}."]
     if "together" in notes:
         lines.append(f"With all that acts: {notes['together']}.")
-    seen = f"{math.degrees(turned):+.4g}°".replace("-", "−")
+    seen = minus(f"{math.degrees(turned):+.4g}°")
     return [*lines, f"In this run the plane turned by {seen}."]

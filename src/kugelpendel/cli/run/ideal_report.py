@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from kugelpendel.cli.terminal.describe import describe_launch, describe_pendulum
-from kugelpendel.spelling import degrees, minus, significant, spell, spell_percent, spell_rate
+from kugelpendel.spelling import degrees, significant, spell, spell_percent, spell_rate
 
 if TYPE_CHECKING:
     from kugelpendel import IdealSummary
@@ -140,8 +140,7 @@ def _extent(summary: IdealSummary) -> list[_Row]:
 def _tension(job: Job, summary: IdealSummary) -> list[_Row]:
     negligible = 1e-12 * max(abs(tension) for tension in summary.tension)
     least, most = (
-        minus(significant(tension if abs(tension) > negligible else 0.0, 6))
-        for tension in summary.tension
+        significant(tension if abs(tension) > negligible else 0.0, 6) for tension in summary.tension
     )
     note = "" if job.has_mass else "for 1 kg; "
     if summary.slack_time < math.inf:

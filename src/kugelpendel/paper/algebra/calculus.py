@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cache
+from collections.abc import Generator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import cache, lru_cache
 
 from kugelpendel.paper.algebra.symbols import (
     RATE,
@@ -25,6 +28,7 @@ from kugelpendel.paper.algebra.symbols import (
     ydd,
 )
 from kugelpendel.paper.algebra.sympy_names import (
+    Abs,
     Add,
     Dummy,
     Expr,
@@ -49,13 +53,38 @@ from kugelpendel.paper.algebra.sympy_names import (
 EPS = Symbol("varepsilon", positive=True)  # the bookkeeping parameter
 SHIFT = Symbol("w", real=True)  # (ω² − ω0²)/ε²
 
-_SMALL = {q: EPS * q for q in (x, y, xd, yd, xdd, ydd, rho)}
-_SLOW = {a: EPS * a, b: EPS * b, Omega: EPS**2 * Omega}
+# The order that each quantity has, as a power of ε. Two tables, since section 2 counts
+# displacements and section 4 the semi-axes that they are made of.
+DISPLACEMENTS: dict[Expr, int] = dict.fromkeys((x, y, xd, yd, xdd, ydd, rho), 1)
+SEMI_AXES: dict[Expr, int] = {a: 1, b: 1, Omega: 2, SHIFT: 2}
+
+
+_supposed: ContextVar[tuple[tuple[Expr, Expr], ...]] = ContextVar("_supposed", default=())
+_differentiated: ContextVar[list[bool] | None] = ContextVar("_differentiated", default=None)
+
+
+@contextmanager
+def supposing(rates: Mapping[Expr, Expr]) -> Generator[list[bool]]:
+    """Let constants move, to see which steps need that they do not.
+
+    What is yielded is no longer empty as soon as anything has been differentiated.
+    """
+    asked: list[bool] = []
+    token, other = _supposed.set(tuple(rates.items())), _differentiated.set(asked)
+    try:
+        yield asked
+    finally:
+        _supposed.reset(token)
+        _differentiated.reset(other)
 
 
 def rate(expression: Expr) -> Expr:
     """d/dt along the motion."""
-    moving = (Mul(diff(expression, q), dot) for q, dot in RATE.items())
+    asked = _differentiated.get()
+    if asked is not None:
+        asked.append(True)
+    rates = (*RATE.items(), *_supposed.get())
+    moving = (Mul(diff(expression, q), dot) for q, dot in rates)
     return Add(diff(expression, t), *moving)
 
 
@@ -109,9 +138,19 @@ def is_zero(expression: Expr) -> bool:
     expression in them is zero if its numerator's remainder is. √(1 − sin²θ) counts as cos θ: the
     lower half of the sphere.
     """
+    return expression == 0 or _vanishes(expression, _supposed.get())
+
+
+@lru_cache(maxsize=20_000)
+def _vanishes(expression: Expr, _: tuple[tuple[Expr, Expr], ...]) -> bool:
+    """Decide it once for an expression and what is supposed to move."""
     expression, angles = _polynomial_angles(carry_out(expression))
     roots = {p for p in expression.atoms(Pow) if p.exp.is_Rational and p.exp.q == 2}
     rules: list[tuple[Expr, Expr]] = []
+    for bars in sorted(expression.atoms(Abs), key=str):  # |u| is the root of u²
+        root = Dummy("W", nonnegative=True)
+        rules.append((root, bars.args[0] ** 2))
+        expression = expression.xreplace({bars: root})
     for power in sorted(roots, key=str):
         radicand = power.base
         root = next((_cosine(q) for q in angles if _same_square(radicand, q, angles)), None)
@@ -142,17 +181,28 @@ def taylor(expression: Expr, order: int) -> list[Expr]:
     return coefficients
 
 
+def graded(expression: Expr, orders: Mapping[Expr, int]) -> Expr:
+    """The expression with ε to its order before each quantity; angles stay as they are.
+
+    An order of `SHIFT` is that of ω² − ω0², and ω is written as √(ω0² + w).
+    """
+    functions = {f: Dummy() for f in expression.atoms(sin, cos)}
+    letters = {q: Mul(Pow(EPS, order), q) for q, order in orders.items() if q != SHIFT}
+    masked = expression.xreplace(functions).xreplace(letters)
+    if SHIFT in orders:
+        square = Add(omega0**2, Mul(Pow(EPS, orders[SHIFT]), SHIFT))
+        masked = masked.xreplace({omega: Pow(square, Rational(1, 2))})
+    return masked.xreplace({dummy: function for function, dummy in functions.items()})
+
+
 def small(expression: Expr) -> Expr:
     """Displacements, their rates and ρ marked as of first order."""
-    return expression.xreplace(_SMALL)
+    return graded(expression, DISPLACEMENTS)
 
 
 def slow(expression: Expr) -> Expr:
     """a, b marked as of first order, Ω and ω² − ω0² of second; angles stay as they are."""
-    functions = {f: Dummy() for f in expression.atoms(sin, cos)}
-    masked = expression.xreplace(functions).xreplace(_SLOW)
-    masked = masked.xreplace({omega: Pow(omega0**2 + EPS**2 * SHIFT, Rational(1, 2))})
-    return masked.xreplace({dummy: function for function, dummy in functions.items()})
+    return graded(expression, SEMI_AXES)
 
 
 def truncated(expression: Expr, order: int) -> Expr:

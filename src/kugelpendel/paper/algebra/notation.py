@@ -7,7 +7,7 @@ what has no meaning in the paper's notation is a NotationError, even where it co
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
@@ -85,11 +85,11 @@ def read(latex: str, lhs: Expr | None = None) -> Relation:
         The formula cannot be read, or it means nothing in the paper's notation.
     """
     try:
-        items = _without_spaces(tex.read(latex).items)
+        items = without_spaces(tex.read(latex).items)
     except tex.UnknownTeX as error:
         raise NotationError(str(error)) from error
-    reading = _Reading(latex)
-    signs = [place for place, item in enumerate(items) if _operator(item) in _RELATIONS]
+    reading = Reading(latex)
+    signs = [place for place, item in enumerate(items) if operator(item) in _RELATIONS]
     if not signs:
         return Relation(reading.expression(items), "", Integer(0))
     if len(signs) > 1:
@@ -98,45 +98,88 @@ def read(latex: str, lhs: Expr | None = None) -> Relation:
     left = reading.expression(items[:at]) if at else lhs
     if left is None:
         raise reading.refused("continues a line, but none comes before it")
-    return Relation(left, _operator(items[at]), reading.expression(items[at + 1 :]))
+    return Relation(left, operator(items[at]), reading.expression(items[at + 1 :]))
 
 
-def _operator(item: Node) -> str:
+@cache
+def denominators(latex: str) -> tuple[Expr, ...]:
+    """Give everything that a formula divides by, as it stands there, before anything cancels.
+
+    Raises
+    ------
+    NotationError
+        As `read` does.
+    """
+    read(latex, Integer(0))
+    reading = Reading(latex)
+    found = (
+        reading.expression(_items(node.below))
+        for node in _inside(tex.read(latex))
+        if isinstance(node, Fraction) and node != _DERIVATIVE
+    )
+    return tuple(found)
+
+
+def _inside(node: Node) -> Iterator[Node]:
+    """Go through a tree, the node itself first."""
+    yield node
+    match node:
+        case MathList(items):
+            inner: tuple[Node, ...] = items
+        case Fraction(above, below):
+            inner = (above, below)
+        case Root(within) | Fence(_, _, within) | Accent(within, _):
+            inner = (within,)
+        case Script(base, below, above):
+            inner = tuple(part for part in (base, below, above) if part is not None)
+        case Matrix(rows):
+            inner = tuple(cell for row in rows for cell in row)
+        case _:
+            inner = ()
+    for part in inner:
+        yield from _inside(part)
+
+
+def operator(item: Node) -> str:
+    """Give the sign of an operator, "" for anything else."""
     return item.text if isinstance(item, Atom) and item.kind == "operator" else ""
 
 
-def _without_spaces(items: tuple[Node, ...]) -> tuple[Node, ...]:
+def without_spaces(items: tuple[Node, ...]) -> tuple[Node, ...]:
     """Leave out what TeX only moves apart; nothing else is left out."""
     return tuple(item for item in items if not (isinstance(item, Atom) and item.kind == "space"))
 
 
-def _single(latex: str) -> Node:
+def single(latex: str) -> Node:
+    """Read LaTeX that is one thing, such as a letter with its marks."""
     (node,) = tex.read(latex).items
     return node
 
 
 _QUANTITIES: dict[Node, Expr] = {
-    _single(latex): meaning for latex, meaning in {**SYMBOL, **VECTORS}.items()
+    single(latex): meaning for latex, meaning in {**SYMBOL, **VECTORS}.items()
 }
-_ANGLES = tuple(_single(latex) for latex in (r"\theta", r"\phi"))
-_FREQUENCIES = tuple(_single(latex) for latex in (r"\omega", r"\omega_0", r"\Omega"))
+_ANGLES = tuple(single(latex) for latex in (r"\theta", r"\phi"))
+_FREQUENCIES = tuple(single(latex) for latex in (r"\omega", r"\omega_0", r"\Omega"))
 
 
-class _Reading:
+class Reading:
     """The meaning of one formula's tree, part by part."""
 
-    def __init__(self, latex: str):
+    def __init__(self, latex: str, more: Mapping[Node, Expr] | None = None):
         self._latex = latex
         self._basis = SPHERICAL if r"\theta" in latex else CARTESIAN
+        self._quantities = {**_QUANTITIES, **(more or {})}
 
     def refused(self, why: str) -> NotationError:
+        """Give the error that says why the formula means nothing."""
         return NotationError(f"{self._latex!r} {why}.")
 
     def expression(self, items: tuple[Node, ...]) -> Expr:
         """A sum; "+ …" at its end stands for what the step says is neglected."""
         signed: list[tuple[int, list[Node]]] = [(1, [])]
-        for at, item in enumerate(_without_spaces(items)):
-            sign = {"+": 1, "−": -1}.get(_operator(item))
+        for at, item in enumerate(without_spaces(items)):
+            sign = {"+": 1, "−": -1}.get(operator(item))
             if sign is None:
                 signed[-1][1].append(item)
             elif at == 0:
@@ -221,8 +264,8 @@ class _Reading:
         raise self.refused("has a sine or cosine of what is not a plain angle")
 
     def _quantity(self, node: Node) -> Expr:
-        if node in _QUANTITIES:
-            return _QUANTITIES[node]
+        if node in self._quantities:
+            return self._quantities[node]
         match node:
             case Atom(kind="number", text=text) if text.isdecimal() and str(int(text)) == text:
                 return Integer(int(text))

@@ -1,7 +1,7 @@
 """The paper's letters as SymPy symbols, their LaTeX, their time derivatives, their dimensions.
 
 A quantity and its derivatives are separate symbols (x, ẋ, ẍ), so that the equations are polynomials
-and rational functions; `_calculus.rate` differentiates along the motion.
+and rational functions; `calculus.rate` differentiates along the motion.
 """
 
 from __future__ import annotations
@@ -42,10 +42,13 @@ _LETTERS: dict[str, tuple[str, Dimension]] = {
 }
 _POSITIVE = ("m", "g", "l", "omega_0")
 _MOVING = ("x", "y", "z", r"\theta", r"\phi")
+_STILL = ("l", "a", "b", r"\Omega")  # constant in the paper; conditions speak of their rates
 
 SYMBOL: dict[str, Expr] = {}  # LaTeX → symbol
 DIMENSION: dict[Expr, Dimension] = {}
 RATE: dict[Expr, Expr] = {}  # symbol → its time derivative
+STILL: dict[Expr, Expr] = {}  # constant → its time derivative, 0 in the paper
+STILL_RATE: dict[str, Expr] = {}  # LaTeX of such a derivative, for conditions only → symbol
 
 
 def _add(latex: str, name: str, dimension: Dimension) -> Expr:
@@ -62,6 +65,11 @@ for _latex in _MOVING:
     _dot = _add(rf"\dot{{{_latex}}}", f"{_name}dot", (_m, _l, _t - 1))
     _ddot = _add(rf"\ddot{{{_latex}}}", f"{_name}ddot", (_m, _l, _t - 2))
     RATE[SYMBOL[_latex]], RATE[_dot] = _dot, _ddot
+
+for _latex in _STILL:
+    _name, (_m, _l, _t) = _LETTERS[_latex]
+    _dot = Symbol(f"{_name}dot", real=True)
+    STILL[SYMBOL[_latex]], STILL_RATE[rf"\dot{{{_latex}}}"] = _dot, _dot
 
 LATEX: dict[Expr, str] = {symbol: latex for latex, symbol in SYMBOL.items()}
 

@@ -9,7 +9,8 @@ from collections.abc import Callable
 
 from kugelpendel.paper.algebra import symbols as s
 from kugelpendel.paper.algebra.calculus import EPS, is_zero, leading, rate, slow, small, taylor
-from kugelpendel.paper.algebra.notation import components
+from kugelpendel.paper.algebra.notation import Relation, components, read
+from kugelpendel.paper.algebra.symbols import STILL
 from kugelpendel.paper.algebra.sympy_names import (
     Add,
     Expr,
@@ -31,6 +32,7 @@ from kugelpendel.paper.checks.remainders import (
 )
 from kugelpendel.paper.derivation.graph import right
 from kugelpendel.paper.derivation.section1 import turned_plumb_line
+from kugelpendel.paper.derivation.statements import STATEMENTS
 
 
 def slack() -> bool:
@@ -41,10 +43,17 @@ def slack() -> bool:
 
 def longer() -> bool:
     """With a length that changes, r̈ has l̈ more along e_r, 2l̇θ̇ along e_θ, 2l̇φ̇ sin θ along e_φ."""
-    ld, ldd = Symbol("ldot", real=True), Symbol("lddot", real=True)
+    ld, ldd = STILL[s.l], Symbol("lddot", real=True)
+    extra = (ldd, 2 * ld * s.thetad, 2 * ld * s.phid * sin(s.theta))
+    return all(is_zero(p - e) for p, e in zip(lengthening(ldd), extra, strict=True))
+
+
+def lengthening(second_rate: Expr) -> tuple[Expr, ...]:
+    """What l̇ and l̈ add to r̈, along e_r, e_θ and e_φ."""
+    ld = STILL[s.l]
 
     def changing(e: Expr) -> Expr:
-        return rate(e) + diff(e, s.l) * ld + diff(e, ld) * ldd
+        return rate(e) + diff(e, s.l) * ld + diff(e, ld) * second_rate
 
     vector = Add(
         *(
@@ -53,14 +62,17 @@ def longer() -> bool:
         )
     )
     fixed = components(right("4.1:2").rhs.expand(), s.SPHERICAL)
-    extra = (ldd, 2 * ld * s.thetad, 2 * ld * s.phid * sin(s.theta))
-    parts = components(vector.expand(), s.SPHERICAL)
-    return all(is_zero(p - f - e) for p, f, e in zip(parts, fixed, extra, strict=True))
+    changed = components(vector.expand(), s.SPHERICAL)
+    return tuple((p - f).expand() for p, f in zip(changed, fixed, strict=True))
 
 
 def axis() -> bool:
-    """Where sin θ = 0, (5c) says nothing about φ̈; yet (9) holds: (1) gives it without angles."""
+    """Where sin θ = 0, (5c) says nothing about φ̈ and (10) nothing at all; yet (9) holds.
+
+    (1) gives (9) without angles.
+    """
     silent = right("5c").lhs.xreplace({sin(s.theta): 0}).diff(s.phidd) == 0
+    silent = silent and is_zero(right("10").lhs.subs({s.x: 0, s.y: 0, s.rho: 0}))
     law = right("1").difference.xreplace({s.e_r: _direction()}).expand()
     along_x, along_y, _ = components(law, s.CARTESIAN)
     return silent and is_zero(s.x * along_y - s.y * along_x - s.m * right("9:2").difference)
@@ -103,11 +115,18 @@ def _distance() -> Expr:
 
 
 def large() -> bool:
-    """What (13a) lacks is x(xẋ + yẏ)²/l⁴ − ω0² x ρ⁴/8l⁴ to leading order: small only if ρ ≪ l."""
+    """What (13a) lacks begins in fifth order: small only if ρ ≪ l and the velocities are."""
     (lacking,) = (one for one in remainders() if one.label == "13a")
-    speed = s.x * (s.x * s.xd + s.y * s.yd) ** 2 / s.l**4
-    place = s.omega0**2 * s.x * (s.x**2 + s.y**2) ** 2 / (8 * s.l**4)
-    return lacking.order == 5 and is_zero(lacking.term - (speed - place))
+    claimed = read(STATEMENTS["missing-in-13a"]).lhs.xreplace({s.rho: _distance()})
+    return lacking.order == 5 and is_zero(lacking.term - claimed)
+
+
+def not_so_small() -> bool:
+    """What (16) lacks is of third order, and turns the ellipse and lowers its frequency."""
+    order = {one.order for one in remainders() if one.label.startswith("16")}
+    lowered = (s.omega0**2 - right("26").rhs).subs({s.a: 1, s.b: Rational(1, 2), s.l: 1})
+    turning = right("25").rhs.subs({s.a: 1, s.b: Rational(1, 2), s.l: 1})
+    return order == {3} and bool(lowered.is_positive) and bool(turning.is_positive)
 
 
 def stationary() -> bool:
@@ -126,9 +145,10 @@ def slow_turning() -> bool:
     lacking = motion()[s.xd] ** 2 + motion()[s.yd] ** 2 - right("20.6").rhs
     angle = s.omega * s.t
     square = s.a**2 * cos(angle) ** 2 + s.b**2 * sin(angle) ** 2
-    wanted = 2 * s.a * s.b * s.omega * s.Omega + s.Omega**2 * square
+    wanted = read(STATEMENTS["omega-beside-omega"]).lhs + s.Omega**2 * square
     ratio = s.a * right("25").rhs / (s.b * s.omega0)
-    return is_zero(lacking - wanted) and is_zero(ratio - 3 * s.a**2 / (8 * s.l**2))
+    claimed = read(STATEMENTS["turning-per-minor-axis"]).rhs
+    return is_zero(lacking - wanted) and is_zero(ratio - claimed)
 
 
 def near() -> bool:
@@ -138,12 +158,10 @@ def near() -> bool:
 
 
 def third_harmonics() -> bool:
-    """Kept, they would add −(3/64)(a² − b²)/l²·(a cos 3ωt cos Ωt − b sin 3ωt sin Ωt) to x."""
-    angle = 3 * s.omega * s.t
-    shape = s.a * cos(angle) * cos(s.Omega * s.t) - s.b * sin(angle) * sin(s.Omega * s.t)
-    wanted = -Rational(3, 64) * (s.a**2 - s.b**2) / s.l**2 * shape
+    """Kept, they would add to x what the text says; the two cubic terms have opposite ones."""
+    claimed = read(STATEMENTS["third-harmonic"]).lhs
     opposite = dropped_harmonics("20.10:2") + s.omega**2 * dropped_harmonics("20.8:1")
-    return is_zero(third_harmonic() - wanted) and is_zero(opposite)
+    return is_zero(third_harmonic() - claimed) and is_zero(opposite)
 
 
 def omega_squared() -> bool:
@@ -151,7 +169,7 @@ def omega_squared() -> bool:
     turning = right("25").rhs ** 2
     shift = s.omega0**2 - right("26").rhs
     a2, b2 = s.a**2, s.b**2
-    ratio = Rational(9, 8) * a2 * b2 / ((a2 + b2) * s.l**2)
+    ratio = read(STATEMENTS["squared-share"]).lhs
     gap = Rational(9, 32) * (a2 + b2) / s.l**2 - ratio
     square = Rational(9, 32) * (a2 - b2) ** 2 / ((a2 + b2) * s.l**2)
     return is_zero(turning / shift - ratio) and is_zero(gap - square)
@@ -184,17 +202,26 @@ def circle() -> bool:
     the same holds for ω − Ω.
     """
     for sign, kept, lost in ((1, "23.8:1", "23.7:2"), (-1, "23.8:2", "23.7:1")):
-        round_ = {s.b: sign * s.a}
-        if not is_zero(right(lost).lhs.subs(round_)):
+        case = {s.b: sign * s.a}
+        if not is_zero(right(lost).lhs.subs(case)):
             return False
-        cone = s.omega0**2 / sqrt(1 - s.a**2 / s.l**2)  # sin θ = a/l
-        left = slow(right(kept).lhs.subs(round_)) - slow((s.omega + sign * s.Omega) ** 2 - cone)
-        if leading(left)[0] < 4:
+        if not cone(read(STATEMENTS["cone" if sign == 1 else "opposite-cone"]), case):
             return False
         both = right(kept).lhs.xreplace({s.Omega: right("25").rhs, s.omega: sqrt(right("26").rhs)})
-        if not is_zero(both.subs(round_)):
+        if not is_zero(both.subs(case)):
             return False
     return True
+
+
+def cone(relation: Relation, case: dict[Expr, Expr]) -> bool:
+    """Whether a rate ω ± Ω is that of the conical pendulum, squared and to the order kept.
+
+    The one of 23.8 that is left for the circle must say the same.
+    """
+    tilt = {cos(s.theta): sqrt(1 - s.a**2 / s.l**2), s.g: s.omega0**2 * s.l}  # sin θ = a/l
+    squared = slow(relation.lhs**2) - slow((relation.rhs**2).xreplace(tilt))
+    kept = "23.8:1" if case[s.b] == s.a else "23.8:2"
+    return leading(slow(right(kept).lhs.subs(case)) - squared)[0] >= 4
 
 
 def symmetry() -> bool:
@@ -219,6 +246,7 @@ CONSEQUENCES: dict[str, Callable[[], bool]] = {
     "equator": equator,
     "x_zero": x_zero,
     "large": large,
+    "not_so_small": not_so_small,
     "even_orders": cartesian_small,
     "stationary": stationary,
     "slow": slow_turning,

@@ -1,4 +1,4 @@
-"""The smallest numbers at which a misprinted formula fails."""
+"""Small numbers at which a misprinted formula fails: the smallest of those that are tried."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import cache
 from itertools import product
 
+from kugelpendel.paper.algebra import symbols as s
 from kugelpendel.paper.algebra.calculus import carry_out, is_zero
 from kugelpendel.paper.algebra.notation import NotationError, Relation, read
 from kugelpendel.paper.algebra.symbols import LATEX
@@ -36,14 +37,31 @@ class Counterexample:
 def counterexample(key: str) -> Counterexample | None:
     """For the misprint of that key; None where words alone are wrong. KeyError for another key."""
     misprint = {one.key: one for one in MISPRINTS}[key]
-    if "bars-missing" in key:  # by (26), the frequency falls
-        return Counterexample(
-            (("a", "1"), ("l", "1"), (r"\omega_0", "1")), r"\sqrt{\frac{7}{8}} - 1 < 0"
-        )
+    if key in ("bars-missing", "bars-missing-again"):
+        return _of_frequency()
+    if key in ("bars-missing-turning", "bars-missing-slow"):
+        return _of_turning()
+    if key == "bars-missing-small":
+        return Counterexample((("l", "1"), ("x", "-1")), "-1 < 0")
     if misprint.kind == "word" or key in _IN_WORDS:
         return _of_words(key)
     one = formula(misprint.where)
     return _smallest(_residuals(one, _alone(one, misprint)))
+
+
+def _of_frequency() -> Counterexample:
+    """By (26) the frequency falls."""
+    numbers = {s.a: 1, s.b: 0, s.l: 1, s.omega0: 1}
+    square = right("26").rhs.subs(numbers)
+    values = (("a", "1"), ("l", "1"), (r"\omega_0", "1"))
+    return Counterexample(values, rf"\sqrt{{{square}}} - 1 < 0")
+
+
+def _of_turning() -> Counterexample:
+    """By (25) the ellipse turns clockwise where the bob does."""
+    turning = right("25").rhs.subs({s.a: 1, s.b: -1, s.l: 1, s.omega0: 1})
+    values = (("a", "1"), ("b", "-1"), ("l", "1"), (r"\omega_0", "1"))
+    return Counterexample(values, f"{turning} < 0")
 
 
 def _of_words(key: str) -> Counterexample | None:
@@ -56,8 +74,8 @@ def _of_words(key: str) -> Counterexample | None:
 
 def _alone(one: Formula, misprint: Misprint) -> Relation:
     """The right formula with this misprint only, where the text tells them apart."""
-    source = one.right.replace(misprint.right, misprint.printed) if misprint.right else ""
-    if source in ("", one.right):
+    source = one.right.replace(misprint.right, misprint.alone or misprint.printed)
+    if source == one.right:
         return printed(one.label)
     try:
         return read(source, right(one.head).lhs if one.head else None)

@@ -61,18 +61,22 @@ class Mutant:
 
 def mutants(one: Formula, right: Relation) -> tuple[Mutant, ...]:
     """All different ones; the left side of a chain belongs to its first line."""
+    return spoilt(right, keep_left=bool(one.head) and right.rhs != 0)
+
+
+def spoilt(right: Relation, keep_left: bool = False) -> tuple[Mutant, ...]:
+    """All different ways to spoil a relation in one place, on its right side only if told so."""
     found: dict[Relation, Mutant] = {}
-    sides = (("lhs", right.lhs), ("rhs", right.rhs))
-    for name, side in sides:
-        if name == "lhs" and one.head and right.rhs != 0:
+    for name, side in (("lhs", right.lhs), ("rhs", right.rhs)):
+        if name == "lhs" and keep_left:
             continue
-        for change, spoilt in chain(whole(side), _spoilt(side)):
-            pair = (spoilt, right.rhs) if name == "lhs" else (right.lhs, spoilt)
+        for change, wrong in chain(whole(side), _spoilt(side)):
+            pair = (wrong, right.rhs) if name == "lhs" else (right.lhs, wrong)
             relation = Relation(pair[0], right.op, pair[1])
-            if spoilt.has(zoo, nan):  # a division by zero: no formula at all
+            if wrong.has(zoo, nan):  # a division by zero: no formula at all
                 continue
             if (relation.lhs, relation.rhs) != (right.lhs, right.rhs):
-                found.setdefault(relation, Mutant(f"{change}: {spoilt}", relation))
+                found.setdefault(relation, Mutant(f"{change}: {wrong}", relation))
     return tuple(found.values())
 
 

@@ -2,22 +2,41 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 
 from kugelpendel.paper.algebra import symbols as s
-from kugelpendel.paper.algebra.calculus import carry_out, harmonic, leading, slow, small
-from kugelpendel.paper.algebra.sympy_names import Expr, diff, factor, sqrt
-from kugelpendel.paper.derivation.graph import right
+from kugelpendel.paper.algebra.calculus import (
+    DISPLACEMENTS,
+    EPS,
+    SEMI_AXES,
+    SHIFT,
+    carry_out,
+    graded,
+    harmonic,
+    is_zero,
+    leading,
+    small,
+    truncated,
+)
+from kugelpendel.paper.algebra.notation import read
+from kugelpendel.paper.algebra.sympy_names import Add, Dummy, Expr, diff, expand, factor, sqrt
+from kugelpendel.paper.derivation.graph import formula, right
+from kugelpendel.paper.derivation.model import Formula, StepKind
 from kugelpendel.paper.proofs.symbolic import put
+
+_SHIFTED = Dummy("w", real=True)
+_RHO = {s.rho: sqrt(s.x**2 + s.y**2)}
+_SWAP = {s.x: s.y, s.y: s.x, s.xd: s.yd, s.yd: s.xd, s.xdd: s.ydd}
 
 
 @dataclass(frozen=True)
 class Remainder:
     """What is neglected in a formula: its leading term, of the given order in ε.
 
-    `kept` is the order of the smallest terms that stay. Displacements count as ε; in section 4 a
-    and b do, Ω and ω² − ω0² as ε².
+    `kept` is the order of the smallest terms that stay. Displacements count as ε; in sections 3
+    and 4 a and b do, and Ω and ω² − ω0² as ε².
     """
 
     label: str
@@ -26,10 +45,23 @@ class Remainder:
     term: Expr
 
 
+@dataclass(frozen=True)
+class Dropped:
+    """What a step leaves out, exactly, beside what it keeps; and how their orders are counted."""
+
+    dropped: Expr
+    kept: Expr
+    orders: Mapping[Expr, int]
+
+
 def motion() -> dict[Expr, Expr]:
-    """x, y and their first two rates from (20), exactly."""
+    """Give x, y and their first two rates from (20), exactly."""
+    return _moving("20")
+
+
+def _moving(display: str) -> dict[Expr, Expr]:
     rules: dict[Expr, Expr] = {}
-    pairs = (("20:x", (s.x, s.xd, s.xdd)), ("20:y", (s.y, s.yd, s.ydd)))
+    pairs = ((f"{display}:x", (s.x, s.xd, s.xdd)), (f"{display}:y", (s.y, s.yd, s.ydd)))
     for label, letters in pairs:
         value = right(label).rhs
         for letter in letters:
@@ -38,27 +70,120 @@ def motion() -> dict[Expr, Expr]:
     return rules
 
 
+def _series(label: str) -> Dropped:
+    relation = right(label)
+    return Dropped(relation.difference, relation.rhs, DISPLACEMENTS)
+
+
+def _cubic(label: str) -> Dropped:
+    exact = right("12").difference
+    if label == "13b":
+        exact = exact.xreplace(_SWAP)
+    kept = right(label).difference
+    return Dropped((exact - kept).xreplace(_RHO), kept, DISPLACEMENTS)
+
+
+def _linear(label: str) -> Dropped:
+    """What (13) has besides its linear terms, for the ellipse at rest."""
+    law = right("13a" if label == "16:x" else "13b").difference
+    rest = law - truncated(small(law), 1)
+    return Dropped(put(rest, _moving("16")), s.omega0**2 * right(label).rhs, SEMI_AXES)
+
+
+def _slow_speeds(label: str) -> Dropped:
+    return Dropped(right("20.5:2").rhs - right("20.6").rhs, right(label).rhs, SEMI_AXES)
+
+
+def _balance(label: str) -> Dropped:
+    kept = right(label).difference
+    return Dropped(right("23.3").difference - kept, kept, SEMI_AXES)
+
+
+def _harmonics(label: str) -> Dropped:
+    return Dropped(dropped_harmonics(label), right(label).rhs, SEMI_AXES)
+
+
+_DROPPING: dict[str, Callable[[str], Dropped]] = {
+    "12.1": _series,
+    "12.2": _series,
+    "12.3:1": _series,
+    "13a": _cubic,
+    "13b": _cubic,
+    "16:x": _linear,
+    "16:y": _linear,
+    "20.6": _slow_speeds,
+    "20.8:1": _harmonics,
+    "20.10:2": _harmonics,
+    "23.4": _balance,
+}
+
+
+def drops(label: str) -> bool:
+    """Whether the step to this formula drops anything."""
+    return label in _DROPPING
+
+
+@cache
+def dropped(label: str) -> Dropped:
+    """What the step to this formula drops; KeyError where it drops nothing."""
+    return _DROPPING[label](label)
+
+
 @cache
 def remainders() -> tuple[Remainder, ...]:
-    """Of every step that neglects something, in the paper's order."""
-    rho = {s.rho: sqrt(s.x**2 + s.y**2)}
+    """Of every step that drops terms of a higher order, in the paper's order.
+
+    The third harmonics that an averaging step drops are of the same order as what it keeps: they
+    are in `dropped_harmonics`. 20.9:1 only passes on what 20.6 dropped.
+    """
     found: list[Remainder] = []
-
-    def note(label: str, kept: int, expression: Expr) -> None:
-        order, term = leading(expression)  # of the claim: left side minus right side
-        found.append(Remainder(label, kept, order, factor(term)))
-
-    for label, kept in (("12.1", 2), ("12.2", 2), ("12.3:1", 3)):
-        note(label, kept, small(right(label).difference))
-    exact = right("12").difference
-    note("13a", 3, small((exact - right("13a").difference).xreplace(rho)))
-    swap = {s.x: s.y, s.y: s.x, s.xd: s.yd, s.yd: s.xd, s.xdd: s.ydd}
-    note("13b", 3, small((exact.xreplace(swap) - right("13b").difference).xreplace(rho)))
-    speeds = right("20.5:2").rhs - right("20.6").rhs
-    note("20.6", 2, slow(speeds))
-    note("20.9:1", 3, slow(right("20:x").rhs * speeds))
-    note("23.4", 3, slow(right("23.3").difference - right("23.4").difference))
+    for label in _DROPPING:
+        if formula(label).step.kind != StepKind.AVERAGE:
+            one = dropped(label)
+            order, term = leading(graded(one.dropped, one.orders))
+            found.append(Remainder(label, highest(one.kept, one.orders), order, factor(term)))
+        if label == "20.6":
+            speeds, place = dropped("20.6"), right("20:x").rhs
+            order, term = leading(graded(place * speeds.dropped, SEMI_AXES))
+            kept = highest(right("20.9:1").rhs, SEMI_AXES)
+            found.append(Remainder("20.9:1", kept, order, factor(term)))
     return tuple(found)
+
+
+def highest(kept: Expr, orders: Mapping[Expr, int]) -> int:
+    """Give the order of the smallest of the terms that are kept; ω² − ω0² counts as one letter."""
+    letters = {q: order for q, order in orders.items() if q != SHIFT}
+    letters[_SHIFTED] = orders.get(SHIFT, 0)
+    whole = kept.subs(s.omega**2 - s.omega0**2, _SHIFTED)
+    terms = Add.make_args(expand(graded(whole, letters)))
+    return max(int(leading_power(term)) for term in terms)
+
+
+def leading_power(term: Expr) -> Expr:
+    """Give the power of ε with which a product begins."""
+    coefficient, power = term.as_coeff_exponent(EPS)
+    return power + leading(coefficient)[0] if coefficient.has(EPS) else power
+
+
+def as_said(one: Formula) -> bool:
+    """Whether what the step says it neglects is what it drops, to leading order: sign, factor, all.
+
+    A step that says nothing must drop nothing.
+    """
+    if not drops(one.label) or not one.step.neglected:
+        return drops(one.label) == bool(one.step.neglected)
+    said, found = read(one.step.neglected), dropped(one.label)
+    if said.op:
+        return False
+    if one.step.kind == StepKind.AVERAGE:
+        return is_zero(said.lhs - found.dropped)
+    claimed = graded(put(said.lhs, _moving("16")), found.orders)
+    if one.section == 2:
+        claimed = graded(said.lhs.xreplace(_RHO), found.orders)
+    rest, order = graded(found.dropped.xreplace(_RHO), found.orders), leading(claimed)[0]
+    return leading(rest - claimed)[0] > order and is_zero(
+        claimed - EPS**order * claimed.subs(EPS, 1)
+    )
 
 
 def dropped_harmonics(label: str) -> Expr:

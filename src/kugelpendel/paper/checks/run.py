@@ -1,62 +1,92 @@
-"""Runs all proofs, and the mutants against them."""
+"""Runs all proofs and checks, and the mutants and sabotages against them."""
 
 from __future__ import annotations
 
 import os
+from collections import Counter
 from collections.abc import Callable, Iterable
 from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
 from contextlib import suppress
+from functools import partial
 from multiprocessing import get_context
 from time import perf_counter
 from typing import Literal
 
 from kugelpendel.paper.algebra.calculus import is_constant_multiple, is_zero
-from kugelpendel.paper.algebra.notation import Relation
+from kugelpendel.paper.algebra.notation import NotationError, Relation
+from kugelpendel.paper.checks.faults import faults
 from kugelpendel.paper.checks.mutants import Mutant, mutants
+from kugelpendel.paper.checks.sabotage import (
+    is_noticed,
+    is_refused,
+    mistyped,
+    sabotages,
+    spoilt_sentences,
+    spoilt_statements,
+)
+from kugelpendel.paper.checks.signs import sign
+from kugelpendel.paper.checks.wording import sentences, statements
 from kugelpendel.paper.derivation.graph import FORMULAS, formula, premises, right
-from kugelpendel.paper.derivation.model import Formula, Row
+from kugelpendel.paper.derivation.model import Formula, Row, StepKind
+from kugelpendel.paper.derivation.statements import LANGUAGES, STATEMENTS
 
 Verdict = Literal["killed", "equal", "survivor"]
 Progress = Callable[[int, int, Row], None]
+
+
+def subjects() -> tuple[str, ...]:
+    """Give all that can be checked: labels of formulas, names of statements, languages."""
+    return (*(one.label for one in FORMULAS), *STATEMENTS, *LANGUAGES)
 
 
 def check(
     parallel: bool = True,
     progress: Progress | None = None,
     labels: Iterable[str] | None = None,
+    thorough: bool = True,
 ) -> tuple[Row, ...]:
-    """Proves every formula, symbolically and in numbers, and rejects its mutants.
+    """Prove every formula and all that is said of it, and reject what is spoilt.
 
     Parameters
     ----------
     parallel
         In as many processes as there are processors; otherwise in this one.
     progress
-        Called after each formula with how many are done, of how many, and its row.
+        Called after each subject with how many are done, of how many, and its row.
     labels
-        Of single formulas; all of them by default.
+        Some of `subjects()`; all of them by default.
+    thorough
+        Whether to sabotage steps, conditions, premises, print and wording too; the formulas are
+        always mutated.
 
     Returns
     -------
-    One row per formula, in the paper's order. Raises UnknownLabel.
+    One row per subject, in the order asked for.
+
+    Raises
+    ------
+    UnknownLabel
+        A label that no subject has.
     """
-    wanted = (
-        [one.label for one in FORMULAS] if labels is None else [formula(q).label for q in labels]
-    )
+    wanted = list(subjects()) if labels is None else list(labels)
+    for label in wanted:
+        if label not in STATEMENTS and label not in LANGUAGES:
+            formula(label)
+    one = partial(examined, thorough=thorough)
     rows: list[Row] = []
     workers = min(os.cpu_count() or 1, len(wanted))
     if not parallel or workers < 2:
-        return tuple(_note(examined(label), rows, len(wanted), progress) for label in wanted)
+        return tuple(_note(one(label), rows, len(wanted), progress) for label in wanted)
     # spawn: a forked child of a process with threads (a progress bar's) may hang
     with (
         ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool,
         suppress(BrokenExecutor),
     ):
-        for row in pool.map(examined, wanted):
+        for row in pool.map(one, wanted):
             _note(row, rows, len(wanted), progress)
     # where no process can be started (a script read from standard input), this one goes on
     for label in wanted[len(rows) :]:
-        _note(examined(label), rows, len(wanted), progress)
+        _note(one(label), rows, len(wanted), progress)
     return tuple(rows)
 
 
@@ -67,13 +97,33 @@ def _note(row: Row, rows: list[Row], total: int, progress: Progress | None) -> R
     return row
 
 
-def examined(label: str) -> Row:
-    """One formula's proofs and the fate of its mutants."""
+def examined(label: str, thorough: bool = True) -> Row:
+    """Examine one subject: its proofs, what is said of it, and the fate of what is spoilt."""
     start = perf_counter()
-    one, relation = formula(label), right(label)
+    try:
+        if label in STATEMENTS:
+            return _statement(label)
+        if label in LANGUAGES:
+            return _sentences(label, thorough)
+        return _formula(formula(label), thorough)
+    except NotationError as error:
+        step = (
+            StepKind.STATE
+            if label in STATEMENTS or label in LANGUAGES
+            else formula(label).step.kind
+        )
+        seconds = perf_counter() - start
+        return Row(label, step, False, False, 0, 0, (), seconds, (f"cannot be read: {error}",))
+
+
+def _formula(one: Formula, thorough: bool) -> Row:
+    """A formula of the paper."""
+    start = perf_counter()
+    relation = right(one.label)
     fates = [(mutant, verdict(one, mutant)) for mutant in mutants(one, relation)]
+    counted, unnoticed = _sabotaged(one) if thorough else ((), ())
     return Row(
-        label=label,
+        label=one.label,
         step=one.step.kind,
         symbolic=one.proof(relation, premises(one)),
         numeric=one.proof.true_in_numbers(relation),
@@ -81,15 +131,83 @@ def examined(label: str) -> Row:
         equal=sum(fate == "equal" for _, fate in fates),
         survivors=tuple(mutant.change for mutant, fate in fates if fate == "survivor"),
         seconds=perf_counter() - start,
+        faults=faults(one),
+        sabotages=counted,
+        unnoticed=unnoticed,
+    )
+
+
+Counts = tuple[tuple[str, int, int], ...]
+
+
+def _sabotaged(one: Formula) -> tuple[Counts, tuple[str, ...]]:
+    """How many sabotages of each kind were made and noticed, and which were not."""
+    made, noticed, unnoticed = Counter[str](), Counter[str](), list[str]()
+    tried = [(q.kind, q.change, partial(is_noticed, q)) for q in sabotages(one)]
+    tried += [("typeset", latex, partial(is_refused, one, latex)) for latex in mistyped(one)]
+    for kind, change, found in tried:
+        made[kind] += 1
+        noticed[kind] += (seen := found())
+        if not seen:
+            unnoticed.append(f"{kind}: {change}")
+    return tuple((kind, made[kind], noticed[kind]) for kind in made), tuple(unnoticed)
+
+
+def _statement(name: str) -> Row:
+    """A formula of the wording: proved or not, and its spoilt forms."""
+    start = perf_counter()
+    relation = statements.statement(name)
+    wrong = spoilt_statements(relation)
+    passed = [q for q in wrong if statements.holds(name, q)]
+    alive = [q for q in passed if not says_the_same(q, relation)]
+    proved = statements.holds(name)
+    return Row(
+        label=name,
+        step=StepKind.STATE,
+        symbolic=proved,
+        numeric=proved,
+        killed=len(wrong) - len(passed),
+        equal=len(passed) - len(alive),
+        survivors=tuple(f"{q.lhs} {q.op} {q.rhs}" for q in alive),
+        seconds=perf_counter() - start,
+    )
+
+
+def _sentences(language: str, thorough: bool) -> Row:
+    """The sentences of a language: what they claim beside the statements, and spoilt ones."""
+    start = perf_counter()
+    texts = list(sentences.texts(language))
+    found = tuple(fault for place, text in texts for fault in sentences.faults(place, text))
+    made, noticed, unnoticed = Counter[str](), Counter[str](), list[str]()
+    for place, kind, wrong in spoilt_sentences(texts) if thorough else ():
+        made[kind] += 1
+        noticed[kind] += (seen := bool(sentences.faults(place, wrong)))
+        if not seen:
+            unnoticed.append(f"{kind}: {place}: {wrong}")
+    return Row(
+        label=language,
+        step=StepKind.STATE,
+        symbolic=not found,
+        numeric=not found,
+        killed=0,
+        equal=0,
+        survivors=(),
+        seconds=perf_counter() - start,
+        faults=found,
+        sabotages=tuple((kind, made[kind], noticed[kind]) for kind in made),
+        unnoticed=tuple(unnoticed),
     )
 
 
 def verdict(one: Formula, mutant: Mutant) -> Verdict:
     """Killed by one of the two proofs; else proved equal; else it survives.
 
-    What is false in numbers is dead. What is true there may be the same equation in other words
-    (proved), or true without following, which the symbolic proof rejects.
+    What is false in numbers is dead, and so is what has another sign than the numbers ask for. What
+    is true there may be the same equation in other words (proved), or true without following, which
+    the symbolic proof rejects.
     """
+    if mutant.relation.op != sign(one.label):
+        return "killed"
     if not one.proof.true_in_numbers(mutant.relation, quick=True):
         return "killed"
     if says_the_same(mutant.relation, right(one.label)):

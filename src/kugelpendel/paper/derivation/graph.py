@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from collections.abc import Iterator, Mapping
 
 from kugelpendel.paper.algebra.notation import Relation, read
 from kugelpendel.paper.derivation.model import Formula
@@ -49,29 +49,37 @@ def parts(label: str) -> tuple[Formula, ...]:
     return found
 
 
-@cache
-def _relations() -> dict[str, Relation]:
-    """Of every formula as it should be, by label."""
-    found: dict[str, Relation] = {}
-    for one in FORMULAS:
-        found[one.label] = read(one.right, found[one.head].lhs if one.head else None)
-    return found
+class _RightRelations(Mapping[str, Relation]):
+    """Every formula as it should be, by label, each read only when it is asked for."""
+
+    def __getitem__(self, label: str) -> Relation:
+        one = _BY_LABEL[label]
+        return read(one.right, self[one.head].lhs if one.head else None)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(_BY_LABEL)
+
+    def __len__(self) -> int:
+        return len(_BY_LABEL)
+
+
+_RELATIONS = _RightRelations()
 
 
 def right(label: str) -> Relation:
     """What the formula should say."""
-    return _relations()[formula(label).label]
+    return _RELATIONS[formula(label).label]
 
 
 def printed(label: str) -> Relation:
     """What stands in the paper; a line that continues a chain is read after its right head."""
     one = formula(label)
-    return read(one.printed, _relations()[one.head].lhs if one.head else None)
+    return read(one.printed, _RELATIONS[one.head].lhs if one.head else None)
 
 
 def premises(one: Formula) -> Premises:
     """What its step may use."""
-    return Premises(one.step.premises, _relations())
+    return Premises(one.step.premises, _RELATIONS)
 
 
 def edges() -> tuple[tuple[str, str], ...]:

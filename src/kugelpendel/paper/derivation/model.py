@@ -1,19 +1,21 @@
 """What the derivation is made of: formulas, steps, conditions, misprints.
 
-Agreed with the rendering
+Agreed with the documents
 -------------------------
 * `Formula.printed` and `Formula.right` are LaTeX in the paper's own notation, and the source of
-  everything: `_notation.read` turns them into the `Relation` (SymPy) that the proofs judge, so what
+  everything: `notation.read` turns them into the `Relation` (SymPy) that the proofs judge, so what
   is typeset is what is proved. They are equal where nothing is wrong. No environments (aligned,
-  pmatrix apart), no `&`, no number "(5a)"; a line that continues a chain starts with "=".
+  pmatrix apart), no `&`, no number "(5a)"; a line that continues a chain starts with its relation.
 * Labels: "5a" is the paper's number. An unnumbered display after (10) is "10.1", "10.2", …, before
   (1) there is none. Several claims in one display are its parts, told apart by what follows a
   colon: "2:x", "2:y", "2:z", "10.7:1" … `Formula.display` is the label without the part. A display
   whose number is used twice keeps its own name here: the three displays numbered (6) are "6", "6b"
   and "6c"; `Formula.number` is the number that stands in the paper, "" without one.
 * Wording is keyed: formulas by `label`, displays by `display`, conditions and misprints by `key`,
-  sections by their number (1 to 4), step kinds by `Kind.value`.
+  sections by their number (1 to 4), step kinds by `StepKind.value`.
 * Order is the paper's order, everywhere.
+* Nothing of a step is mere description: kind, detail, what is neglected and the conditions are
+  checked by `checks.operations`, `checks.remainders` and `checks.requirements`.
 """
 
 from __future__ import annotations
@@ -26,11 +28,13 @@ if TYPE_CHECKING:
     from kugelpendel.paper.proofs.symbolic import Proof
 
 
-class Kind(StrEnum):
+class StepKind(StrEnum):
     """The step that leads to a formula."""
 
     LAW = "law"  # put at the start: Newton's law, the thread's length
-    DEFINE = "define"  # a name for something, a choice of coordinates, an ansatz
+    DEFINE = "define"  # a name for something, a choice of coordinates
+    ASSUME = "assume"  # something is small
+    ANSATZ = "ansatz"  # the form of an earlier solution, with a new unknown
     SUBSTITUTE = "substitute"
     DIFFERENTIATE = "differentiate"
     PROJECT = "project"  # on a unit vector
@@ -45,16 +49,24 @@ class Kind(StrEnum):
     COMPARE = "compare"  # coefficients of independent functions of time
     ADD = "add"
     SUBTRACT = "subtract"
+    STATE = "state"  # no step of the paper: said in the wording
 
 
 @dataclass(frozen=True)
 class Condition:
     """What must hold for a step to be allowed.
 
-    `key` names the condition and its wording; `latex` says it in a formula, "" if words alone can;
-    `silent` is true where the paper does not say it. `consequence` is the name of the check (in
-    `_consequences`) of what happens where it fails, and of its wording; "" where nothing can fail
-    but the model itself (no thread without length).
+    Attributes
+    ----------
+    key
+        Names the condition and its wording.
+    latex
+        Says it in a formula that `requirement.required` reads; "" if words alone can.
+    silent
+        Whether the paper does not say it.
+    consequence
+        The name of the check (in `checks.conditions_violated`) of what happens where it fails, or
+        of why it holds, and of its wording; "" where nothing can fail but the model itself.
     """
 
     key: str
@@ -67,12 +79,19 @@ class Condition:
 class Step:
     """How a formula follows.
 
-    `premises`: labels of the formulas it stands on, whole displays allowed ("2" is all of (2)).
-    `neglected`: LaTeX of the order of what is dropped, "" in an exact step.
-    `detail`: LaTeX of what is done, such as the factor multiplied by, "" if the kind says it.
+    Attributes
+    ----------
+    premises
+        Labels of the formulas that it stands on; "2" is all of (2).
+    conditions
+        Those without which this step breaks although all before it hold.
+    neglected
+        LaTeX of the leading terms that this step drops, with sign and factor; "" in an exact step.
+    detail
+        LaTeX of what is done it with, such as the factor multiplied by; "" if the kind says it.
     """
 
-    kind: Kind
+    kind: StepKind
     premises: tuple[str, ...] = ()
     conditions: tuple[Condition, ...] = ()
     neglected: str = ""
@@ -81,27 +100,46 @@ class Step:
 
 @dataclass(frozen=True)
 class Misprint:
-    """One place where the paper's text is wrong.
+    """One place where the paper's text is wrong, or where a sign is meant otherwise.
 
-    `where` is the label of the formula, or of the one that the words follow. `kind` is "formula"
-    (wrong formula), "sign" (a sign convention or a relation sign that is not meant so), "word" (a
-    wrong word, number or reference).
-    `printed`, `right`: LaTeX for formulas, German text for words. `known` is how it is known:
-    "identity" (the step's identity fails), "dimension" (the terms do not have one dimension),
-    "convention", "text". `travels`: labels of the formulas into which the error is carried, ()
-    where it stays; `origin` the key of the misprint that it comes from, "" if it is one of its own.
-    The smallest counterexample is worked out by `counterexample(key)` in `_misprints`.
+    Attributes
+    ----------
+    key
+        Names the misprint and its wording.
+    where
+        The label of the formula that it is in, or that its words speak of.
+    printed, right
+        LaTeX for formulas, German text for words.
+    kind
+        "formula" is a false formula, "word" a false word, number or reference. "loose" is a sign
+        that nobody misunderstands and that still does not say what is meant: "=" between two
+        expressions of which one only approximates the other, bars left out at an absolute value,
+        an orientation that is not said. A gap in the numbering is none of these.
+    known
+        How it is known: "identity" (the step's identity fails), "dimension" (the terms do not have
+        one dimension), "size" (bars are missing: anything negative would be small), "convention"
+        (it hangs on what is agreed), "text".
+    travels
+        Labels of the formulas into which the error is carried, () where it is not carried on.
+    origin
+        The key of the misprint that it comes from, "" if it is one of its own.
+    in_words
+        Whether it stands in the running text and not in the displayed formula.
+    alone
+        LaTeX of what stands in the place of `right` when this error only is made; `printed` by
+        default. It differs where two errors meet in one term.
     """
 
     key: str
     where: str
     printed: str
     right: str
-    kind: Literal["formula", "sign", "word"]
-    known: Literal["identity", "dimension", "convention", "text"]
+    kind: Literal["formula", "word", "loose"]
+    known: Literal["identity", "dimension", "size", "convention", "text"]
     travels: tuple[str, ...] = ()
     origin: str = ""
-    in_words: bool = False  # stands in the running text, not in the displayed formula
+    in_words: bool = False
+    alone: str = ""
 
 
 @dataclass(frozen=True)
@@ -154,20 +192,35 @@ def section_of(label: str) -> int:
 
 @dataclass(frozen=True)
 class Row:
-    """What `check` found for one formula.
+    """What `check` found for one formula, or for one statement in the wording.
 
-    `symbolic` and `numeric` are true where the proof holds. `killed` mutants were rejected, `equal`
-    ones proved to say the same, `survivors` (LaTeX-free text of each) neither.
+    Attributes
+    ----------
+    symbolic, numeric
+        Whether the two proofs hold.
+    killed, equal, survivors
+        How many mutants of the formula were rejected, how many were proved to say the same, and
+        what was done to those that were neither.
+    faults
+        Sentences about everything else that is not as it says: the relation sign, the step, what
+        it neglects, its conditions, its premises, what is printed.
+    sabotages
+        For each kind of sabotage besides the mutants, how many were made and how many noticed.
+    unnoticed
+        What was done in those that were not noticed.
     """
 
     label: str
-    step: Kind
+    step: StepKind
     symbolic: bool
     numeric: bool
     killed: int
     equal: int
     survivors: tuple[str, ...]
     seconds: float
+    faults: tuple[str, ...] = ()
+    sabotages: tuple[tuple[str, int, int], ...] = ()
+    unnoticed: tuple[str, ...] = ()
 
     @property
     def mutants(self) -> int:
@@ -176,5 +229,6 @@ class Row:
 
     @property
     def holds(self) -> bool:
-        """Whether everything is proved and no mutant is left."""
-        return self.symbolic and self.numeric and not self.survivors
+        """Whether everything is proved and no mutant or sabotage is left."""
+        proved = self.symbolic and self.numeric and not self.faults
+        return proved and not self.survivors and not self.unnoticed

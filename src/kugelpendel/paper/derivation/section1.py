@@ -10,7 +10,7 @@ from kugelpendel.paper.algebra.notation import Relation, components
 from kugelpendel.paper.algebra.symbols import VECTORS
 from kugelpendel.paper.algebra.sympy_names import Add, Expr, Matrix, Rational, cos, diff, sin, sqrt
 from kugelpendel.paper.derivation import conditions as c
-from kugelpendel.paper.derivation.model import Formula, Kind, Step, claim
+from kugelpendel.paper.derivation.model import Formula, Step, StepKind, claim
 from kugelpendel.paper.proofs.numeric import in_world
 from kugelpendel.paper.proofs.symbolic import (
     Premises,
@@ -126,10 +126,16 @@ _VECTORS = (
     r"- T \cdot \begin{{pmatrix}} 1 \\ 0 \\ 0 \end{{pmatrix}}"
 )
 
-_DIFFERENTIATE = Step(Kind.DIFFERENTIATE, ("2",), (c.INEXTENSIBLE,))
-_AGAIN = Step(Kind.DIFFERENTIATE, ("3.1",), (c.INEXTENSIBLE,))
-_SPHERE = Step(Kind.DEFINE, (), (c.DOWNWARD,))
-_TRIAD = Step(Kind.PROJECT, ("2",), (c.OFF_AXIS,))
+_DIFFERENTIATE = Step(StepKind.DIFFERENTIATE, ("2",), (c.INEXTENSIBLE,))
+_AGAIN = Step(StepKind.DIFFERENTIATE, ("3.1",), (c.INEXTENSIBLE,))
+_SPHERE = Step(StepKind.DEFINE, (), (c.SPHERE,))
+_HEIGHT = Step(StepKind.DEFINE, (), (c.SPHERE, c.DOWNWARD))
+_TRIAD = Step(
+    StepKind.PROJECT,
+    ("2",),
+    (c.OFF_AXIS,),
+    detail=r"1, \quad \frac{1}{l}, \quad \frac{1}{l \sin \theta}",
+)
 _FIRST = Proof(identity(_rates("2")), _ANY)
 _SECOND = Proof(identity(_rates("3.1")), _ANY)
 
@@ -137,17 +143,17 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "1",
         r"m\ddot{\vec{r}} = mg\vec{e}_z - T\vec{e}_r",
-        Step(Kind.LAW, (), (c.INERTIAL, c.SPHERE)),
+        Step(StepKind.LAW, (), (c.INERTIAL, c.SPHERE, c.DOWNWARD)),
         Proof(_newton, _MOVING),
         number="1",
     ),
     claim("2:x", r"x = l \sin \theta \cos \phi", _SPHERE, Proof(_angles, _ANY), number="2"),
     claim("2:y", r"y = l \sin \theta \sin \phi", _SPHERE, Proof(_angles, _ANY), number="2"),
-    claim("2:z", r"z = l \cos \theta", _SPHERE, Proof(_angles, _ANY), number="2"),
+    claim("2:z", r"z = l \cos \theta", _HEIGHT, Proof(_angles, _ANY), number="2"),
     claim(
         "3",
         r"r = l",
-        Step(Kind.LAW, ("2",), (c.SPHERE, c.INEXTENSIBLE)),
+        Step(StepKind.LAW, ("2",), (c.SPHERE,)),
         Proof(follows(_norm), _ANY),
         number="3",
     ),
@@ -185,14 +191,14 @@ FORMULAS: tuple[Formula, ...] = (
         "4.1:1",
         rf"\ddot{{\vec{{r}}}} = ({_XDDOT}) \cdot ({_EX}) + ({_YDDOT}) \cdot ({_EY}) "
         rf"+ ({_ZDDOT}) \cdot ({_EZ})",
-        Step(Kind.SUBSTITUTE, ("3.2", "4")),
+        Step(StepKind.SUBSTITUTE, ("3.2", "4")),
         Proof(given("3.2", "4"), _ANY),
     ),
     claim(
         "4.1:2",
         rf"= l [-({_RADIAL}) \cdot \vec{{e}}_r + ({_POLAR}) \cdot \vec{{e}}_\theta "
         rf"+ ({_AZIMUTHAL}) \cdot \vec{{e}}_\phi]",
-        Step(Kind.REARRANGE, ("4.1:1",)),
+        Step(StepKind.REARRANGE, ("4.1:1",)),
         Proof(continued("4.1:1"), _ANY),
         printed=rf"= -l [({_RADIAL}) \cdot \vec{{e}}_r + ({_POLAR}) \cdot \vec{{e}}_\theta "
         rf"+ ({_AZIMUTHAL}) \cdot \vec{{e}}_\phi]",
@@ -205,28 +211,28 @@ FORMULAS: tuple[Formula, ...] = (
             polar=_POLAR,
             azimuthal=_AZIMUTHAL,
         ),
-        Step(Kind.SUBSTITUTE, ("1", "4", "4.1:2")),
+        Step(StepKind.SUBSTITUTE, ("1", "4", "4.1:2")),
         Proof(follows(_newton_in_components), _MOVING),
         printed=_VECTORS.format(radial=_RADIAL, polar=_POLAR, azimuthal=_AZIMUTHAL),
     ),
     claim(
         "5a",
         rf"T = mg \cos \theta + ml({_RADIAL})",
-        Step(Kind.PROJECT, ("4.2",), detail=r"\vec{e}_r"),
+        Step(StepKind.PROJECT, ("4.2",), detail=r"\vec{e}_r"),
         Proof(_project(0, Rational(1)), _MOVING),
         number="5a",
     ),
     claim(
         "5b",
         rf"{_POLAR} + \frac{{g}}{{l}} \sin \theta = 0",
-        Step(Kind.PROJECT, ("4.2",), detail=r"\vec{e}_\theta, \quad \frac{1}{ml}"),
+        Step(StepKind.PROJECT, ("4.2",), detail=r"\vec{e}_\theta, \quad \frac{1}{ml}"),
         Proof(_project(1, s.m * s.l), _MOVING),
         number="5b",
     ),
     claim(
         "5c",
         rf"{_AZIMUTHAL} = 0",
-        Step(Kind.PROJECT, ("4.2",), detail=r"\vec{e}_\phi, \quad \frac{1}{ml}"),
+        Step(StepKind.PROJECT, ("4.2",), detail=r"\vec{e}_\phi, \quad \frac{1}{ml}"),
         Proof(_project(2, s.m * s.l), _MOVING),
         number="5c",
     ),

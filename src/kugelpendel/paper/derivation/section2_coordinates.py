@@ -8,7 +8,7 @@ from kugelpendel.paper.algebra.notation import Relation, components
 from kugelpendel.paper.algebra.symbols import SYMBOL
 from kugelpendel.paper.algebra.sympy_names import Expr, Matrix, cos, diff, sin, sqrt
 from kugelpendel.paper.derivation import conditions as c
-from kugelpendel.paper.derivation.model import Formula, Kind, Step, claim
+from kugelpendel.paper.derivation.model import Formula, Step, StepKind, claim
 from kugelpendel.paper.proofs.numeric import in_world
 from kugelpendel.paper.proofs.symbolic import (
     Premises,
@@ -122,20 +122,20 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "5.1",
         r"x^2 + y^2 = l^2 \sin^2 \theta",
-        Step(Kind.SUBSTITUTE, ("2",)),
+        Step(StepKind.SUBSTITUTE, ("2",)),
         Proof(given("2"), _ANY),
     ),
     claim(
         "6:1",
         r"\rho^2 = x^2 + y^2",
-        Step(Kind.DEFINE),
+        Step(StepKind.DEFINE),
         Proof(_axis_distance, _ANY),
         number="6",
     ),
     claim(
         "6:2",
         r"= l^2 \sin^2 \theta",
-        Step(Kind.SUBSTITUTE, ("5.1", "6:1")),
+        Step(StepKind.SUBSTITUTE, ("5.1", "6:1")),
         Proof(follows(lambda p: p["6:1"].difference + p["5.1"].difference), _ANY),
         number="6",
         head="6:1",
@@ -143,7 +143,7 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "6b:1",
         _RADIAL_X + _RADIAL_Y % "+",
-        Step(Kind.SUBSTITUTE, ("2", "3.1")),
+        Step(StepKind.SUBSTITUTE, ("2", "3.1")),
         Proof(given("3.1", "2"), _ANY),
         printed=_RADIAL_X + _RADIAL_Y % "-",
         number="6",
@@ -152,7 +152,7 @@ FORMULAS: tuple[Formula, ...] = (
         "6b:2",
         r"= l \cos \theta \cdot \dot{\theta} \cos \phi l \sin \theta \cos \phi "
         r"+ l \cos \theta \cdot \dot{\theta} \sin \phi l \sin \theta \sin \phi",
-        Step(Kind.REARRANGE, ("6b:1",)),
+        Step(StepKind.REARRANGE, ("6b:1",)),
         Proof(continued("6b:1"), _ANY),
         number="6",
         head="6b:1",
@@ -160,7 +160,7 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "6b:3",
         r"= l^2 \cos \theta \sin \theta \cdot \dot{\theta} \cdot (\cos^2 \phi + \sin^2 \phi)",
-        Step(Kind.REARRANGE, ("6b:2",)),
+        Step(StepKind.REARRANGE, ("6b:2",)),
         Proof(continued("6b:2"), _ANY),
         number="6",
         head="6b:1",
@@ -168,7 +168,7 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "6b:4",
         r"= l^2 \dot{\theta} \sin \theta \cos \theta",
-        Step(Kind.REARRANGE, ("6b:3",)),
+        Step(StepKind.REARRANGE, ("6b:3",)),
         Proof(continued("6b:3"), _ANY),
         number="6",
         head="6b:1",
@@ -176,7 +176,7 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "6c:1",
         _SPEEDS_X + "+" + _SPEEDS_Y,
-        Step(Kind.SUBSTITUTE, ("3.1",)),
+        Step(StepKind.SUBSTITUTE, ("3.1",)),
         Proof(given("3.1"), _ANY),
         printed=_SPEEDS_X + "-" + _SPEEDS_Y,
         number="6",
@@ -185,7 +185,7 @@ FORMULAS: tuple[Formula, ...] = (
         "6c:2",
         r"= l^2 \cos^2 \theta \cdot \dot{\theta}^2 (\cos^2 \phi + \sin^2 \phi) "
         r"+ l^2 \sin^2 \theta \cdot \dot{\phi}^2 (\sin^2 \phi + \cos^2 \phi)",
-        Step(Kind.REARRANGE, ("6c:1",)),
+        Step(StepKind.REARRANGE, ("6c:1",)),
         Proof(continued("6c:1"), _ANY),
         printed=r"= l^2 \cos^2 \theta \cdot \dot{\theta}^2 (\cos^2 \phi + \sin^2 \phi) "
         r"+ l^2 \sin^2 \theta \cdot \dot{\theta}^2 (\sin^2 \phi + \cos^2 \phi)",
@@ -195,7 +195,7 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "6c:3",
         r"= l^2 (\dot{\theta}^2 \cos^2 \theta + \dot{\phi}^2 \sin^2 \theta)",
-        Step(Kind.REARRANGE, ("6c:2",)),
+        Step(StepKind.REARRANGE, ("6c:2",)),
         Proof(continued("6c:2"), _ANY),
         number="6",
         head="6c:1",
@@ -203,7 +203,7 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "6.1:1",
         _XX_YY + _YY_NEW,
-        Step(Kind.SUBSTITUTE, ("2", "3.2")),
+        Step(StepKind.SUBSTITUTE, ("2", "3.2")),
         Proof(given("3.2", "2"), _ANY),
         printed=_XX_YY + _YY_OLD,
     ),
@@ -212,7 +212,7 @@ FORMULAS: tuple[Formula, ...] = (
         r"= -l^2 \sin^2 \theta \cdot \dot{\theta}^2 + l^2 \sin \theta \cos \theta "
         r"\cdot \ddot{\theta} "
         r"- l^2 \sin^2 \theta \cdot \dot{\phi}^2",
-        Step(Kind.REARRANGE, ("6.1:1",)),
+        Step(StepKind.REARRANGE, ("6.1:1",)),
         Proof(continued("6.1:1"), _ANY),
         head="6.1:1",
     ),
@@ -220,7 +220,7 @@ FORMULAS: tuple[Formula, ...] = (
         "6.1:3",
         r"= l^2 \sin \theta (\ddot{\theta} \cos \theta - \dot{\theta}^2 \sin \theta "
         r"- \dot{\phi}^2 \sin \theta)",
-        Step(Kind.REARRANGE, ("6.1:2",)),
+        Step(StepKind.REARRANGE, ("6.1:2",)),
         Proof(continued("6.1:2"), _ANY),
         head="6.1:1",
     ),
@@ -228,13 +228,13 @@ FORMULAS: tuple[Formula, ...] = (
         "6.2:1",
         r"x\dot{y} - y\dot{x} = l^2 \sin^2 \theta \cos^2 \phi \cdot \dot{\phi} "
         r"+ l^2 \sin^2 \theta \sin^2 \phi \cdot \dot{\phi}",
-        Step(Kind.SUBSTITUTE, ("2", "3.1")),
+        Step(StepKind.SUBSTITUTE, ("2", "3.1")),
         Proof(given("3.1", "2"), _ANY),
     ),
     claim(
         "6.2:2",
         r"= l^2 \sin^2 \theta \cdot \dot{\phi}",
-        Step(Kind.REARRANGE, ("6.2:1",)),
+        Step(StepKind.REARRANGE, ("6.2:1",)),
         Proof(continued("6.2:1"), _ANY),
         head="6.2:1",
     ),
@@ -242,13 +242,13 @@ FORMULAS: tuple[Formula, ...] = (
         "6.3",
         r"\frac{1}{\sin \theta} \frac{d}{dt} (\dot{\phi} \sin^2 \theta) = "
         r"\ddot{\phi} \sin \theta + \dot{\phi} 2 \cos \theta \cdot \dot{\theta}",
-        Step(Kind.DIFFERENTIATE, ("5c",), (c.OFF_AXIS,)),
+        Step(StepKind.DIFFERENTIATE, ("5c",), (c.OFF_AXIS,)),
         Proof(both(given(), _meets_5c), _ANY),
     ),
     claim(
         "8:1",
         r"l^2 \frac{d}{dt} (\dot{\phi} \sin^2 \theta) = \frac{d}{dt} (x\dot{y} - y\dot{x})",
-        Step(Kind.SUBSTITUTE, ("6.2:2",)),
+        Step(StepKind.SUBSTITUTE, ("6.2:2",), (c.INEXTENSIBLE,)),
         Proof(given("6.2:2"), _ANY),
         printed=r"\frac{1}{l^2} \frac{d}{dt} (\dot{\phi} \sin^2 \theta) = "
         r"\frac{d}{dt} (x\dot{y} - y\dot{x})",
@@ -257,7 +257,7 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "8:2",
         r"= 0",
-        Step(Kind.MULTIPLY, ("5c", "6.3"), (c.OFF_AXIS,), detail=r"l^2 \sin \theta"),
+        Step(StepKind.MULTIPLY, ("5c", "6.3"), (c.OFF_AXIS,), detail=r"l^2 \sin \theta"),
         Proof(follows(_momentum_kept), _MOVING),
         number="8",
         head="8:1",
@@ -265,14 +265,14 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "8.1:1",
         r"\vec{L} = m\vec{r} \times \vec{v}",
-        Step(Kind.DEFINE),
+        Step(StepKind.DEFINE),
         Proof(_generator, _ANY),
         printed=r"\vec{L} = m\vec{v} \times \vec{r}",
     ),
     claim(
         "8.1:2",
         rf"= m {_POSITION} \times {_SPEED}",
-        Step(Kind.SUBSTITUTE, ("8.1:1",)),
+        Step(StepKind.REARRANGE, ("8.1:1",)),
         Proof(continued("8.1:1"), _ANY),
         printed=rf"= m {_SPEED} \times {_POSITION}",
         head="8.1:1",
@@ -281,7 +281,7 @@ FORMULAS: tuple[Formula, ...] = (
         "8.1:3",
         r"= m \begin{pmatrix} y\dot{z} - z\dot{y} \\ z\dot{x} - x\dot{z} \\ "
         r"x\dot{y} - y\dot{x} \end{pmatrix}",
-        Step(Kind.REARRANGE, ("8.1:2",)),
+        Step(StepKind.REARRANGE, ("8.1:2",)),
         Proof(continued("8.1:2"), _ANY),
         printed=r"= m \begin{pmatrix} \dot{y}z - \dot{z}y \\ -\dot{x}z + \dot{z}x \\ "
         r"\dot{x}y - \dot{y}x \end{pmatrix}",
@@ -290,14 +290,14 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "9:1",
         r"\dot{x}\dot{y} + x\ddot{y} - \dot{y}\dot{x} - y\ddot{x} = 0",
-        Step(Kind.DIFFERENTIATE, ("8",)),
+        Step(StepKind.DIFFERENTIATE, ("8",)),
         Proof(follows(lambda p: carry_out(p["8:1"].rhs) - p["8:2"].rhs), _MOVING),
         number="9",
     ),
     claim(
         "9:2",
         r"x\ddot{y} = y\ddot{x}",
-        Step(Kind.REARRANGE, ("9:1",)),
+        Step(StepKind.REARRANGE, ("9:1",)),
         Proof(follows(lambda p: p["9:1"]), _MOVING),
         number="9",
     ),
@@ -308,7 +308,7 @@ FORMULAS: tuple[Formula, ...] = (
         r"+ \frac{1}{l^2} (x\dot{y} - y\dot{x})^2 "
         r"+ \omega_0^2 (x^2 + y^2) \sqrt{1 - \frac{\rho^2}{l^2}} = 0",
         Step(
-            Kind.MULTIPLY,
+            StepKind.MULTIPLY,
             ("5b", *_FROM_6),
             (c.OMEGA_ZERO, c.LOWER_HALF, c.NOT_EQUATOR),
             detail=r"l^2 \sin \theta \cos \theta",
@@ -319,7 +319,7 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "10.1",
         _IN_ANGLES % "l^4" + _ROOT + " = 0",
-        Step(Kind.SUBSTITUTE, ("10", *_FROM_6), (c.NOT_EQUATOR,)),
+        Step(StepKind.SUBSTITUTE, ("10", *_FROM_6), (c.NOT_EQUATOR,)),
         Proof(follows(lambda p: _from_6(p, p["10"].difference)), _MOVING),
         printed=_IN_ANGLES % "l^2" + _ROOT + " = 0",
     ),
@@ -328,7 +328,7 @@ FORMULAS: tuple[Formula, ...] = (
         r"l^2 \ddot{\theta} \cos \theta \sin \theta - l^2 \dot{\theta}^2 \sin^2 \theta "
         r"- l^2 \dot{\phi}^2 \sin^2 \theta + l^2 \dot{\theta}^2 \sin^2 \theta "
         r"+ l^2 \dot{\phi}^2 \sin^4 \theta + \omega_0^2 l^2 \sin^2 \theta \cos \theta = 0",
-        Step(Kind.REARRANGE, ("10.1",), (c.LOWER_HALF, c.NOT_EQUATOR)),
+        Step(StepKind.REARRANGE, ("10.1",), (c.LOWER_HALF, c.NOT_EQUATOR)),
         Proof(follows(lambda p: p["10.1"]), _MOVING),
     ),
     claim(
@@ -336,7 +336,7 @@ FORMULAS: tuple[Formula, ...] = (
         r"l^2 \ddot{\theta} \cos \theta \sin \theta - l^2 \dot{\phi}^2 \sin^2 \theta "
         r"(1 - \sin^2 \theta) "
         r"+ \omega_0^2 l^2 \sin^2 \theta \cos \theta = 0",
-        Step(Kind.REARRANGE, ("10.2",)),
+        Step(StepKind.REARRANGE, ("10.2",)),
         Proof(follows(lambda p: p["10.2"]), _MOVING),
     ),
     claim(
@@ -344,7 +344,7 @@ FORMULAS: tuple[Formula, ...] = (
         r"\ddot{\theta} - \dot{\phi}^2 \frac{\sin^2 \theta \cos^2 \theta}{\sin \theta \cos \theta} "
         r"+ \omega_0^2 \frac{\sin^2 \theta \cos \theta}{\sin \theta \cos \theta} = 0",
         Step(
-            Kind.DIVIDE,
+            StepKind.DIVIDE,
             ("10.3",),
             (c.OFF_AXIS, c.NOT_EQUATOR),
             detail=r"l^2 \cos \theta \sin \theta",
@@ -357,7 +357,7 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "10.5",
         r"\ddot{\theta} - \dot{\phi}^2 \sin \theta \cos \theta + \omega_0^2 \sin \theta = 0",
-        Step(Kind.REARRANGE, ("5b", "10.4"), (c.OMEGA_ZERO,)),
+        Step(StepKind.REARRANGE, ("5b", "10.4"), (c.OMEGA_ZERO, c.OFF_AXIS, c.NOT_EQUATOR)),
         Proof(both(follows(lambda p: p["10.4"]), _is_5b), _MOVING),
     ),
 )

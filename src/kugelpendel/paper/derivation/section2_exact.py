@@ -7,7 +7,7 @@ from kugelpendel.paper.algebra.calculus import small, taylor, truncated
 from kugelpendel.paper.algebra.notation import Relation
 from kugelpendel.paper.algebra.sympy_names import Add, Expr, sqrt
 from kugelpendel.paper.derivation import conditions as c
-from kugelpendel.paper.derivation.model import Formula, Kind, Step, claim
+from kugelpendel.paper.derivation.model import Formula, Step, StepKind, claim
 from kugelpendel.paper.proofs.numeric import in_world, to_order
 from kugelpendel.paper.proofs.symbolic import (
     Premises,
@@ -105,7 +105,7 @@ _CANCELLED = r"(x\dot{x})^2 + (y\dot{y})^2 %s (x\dot{y})^2 %s (y\dot{x})^2"
 _SQUARES = r"(\dot{x}^2 + \dot{y}^2)"
 
 
-def _line(part: int, kind: Kind, right: str, wrong: str = "", use_rho: bool = False) -> Formula:
+def _line(part: int, kind: StepKind, right: str, wrong: str = "", use_rho: bool = False) -> Formula:
     """One line of the long rearrangement 10.7."""
     previous = f"10.7:{part - 1}"
     premises = (previous, "6:1") if use_rho else (previous,)
@@ -123,7 +123,7 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "10.6",
         _T,
-        Step(Kind.COMPLETE, ("6:1", "10"), (c.NOT_EQUATOR,)),
+        Step(StepKind.COMPLETE, ("6:1", "10"), (c.NOT_EQUATOR,)),
         Proof(
             _completing,
             _ANY,
@@ -133,12 +133,12 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "10.7:1",
         rf"{_34} + {_ANGULAR} = {_34} + {_T} - {_T} + {_ANGULAR}",
-        Step(Kind.COMPLETE, ("10", "10.6"), (c.NOT_EQUATOR,), detail=rf"\pm {_T}"),
+        Step(StepKind.COMPLETE, ("10", "10.6"), (c.NOT_EQUATOR,), detail=rf"\pm {_T}"),
         Proof(_completed, _ANY),
     ),
     _line(
         2,
-        Kind.REARRANGE,
+        StepKind.REARRANGE,
         r"\frac{\rho^2}{l^2} \left[ \frac{1}{\rho^2} "
         r"\frac{(x\dot{x} + y\dot{y})^2}{1 - \frac{\rho^2}{l^2}} "
         r"- \frac{1}{l^2} \frac{(x\dot{x} + y\dot{y})^2}{1 - \frac{\rho^2}{l^2}} "
@@ -146,41 +146,41 @@ FORMULAS: tuple[Formula, ...] = (
     ),
     _line(
         3,
-        Kind.REARRANGE,
+        StepKind.REARRANGE,
         _OPEN + r"l^2 (x\dot{x} + y\dot{y})^2 - \rho^2 (x\dot{x} + y\dot{y})^2 "
         r"+ l^2 (x\dot{y} - y\dot{x})^2 - \rho^2 (x\dot{y} - y\dot{x})^2" + _END,
     ),
-    _line(4, Kind.REARRANGE, _OPEN + _EXPANDED % "+" + _END, _OPEN + _EXPANDED % "-" + _END),
+    _line(4, StepKind.REARRANGE, _OPEN + _EXPANDED % "+" + _END, _OPEN + _EXPANDED % "-" + _END),
     _line(
         5,
-        Kind.REARRANGE,
+        StepKind.REARRANGE,
         _MIDDLE + _COLLECTED % ("+", "+") + _END,
         _MIDDLE + _COLLECTED % ("+ y^2 +", "-") + _END,
     ),
     _line(
         6,
-        Kind.REARRANGE,
+        StepKind.REARRANGE,
         _SHORT + _CANCELLED % ("+", "+") + _END,
         _SHORT + _CANCELLED % ("+ y^2 +", "-") + _END,
     ),
     _line(
         7,
-        Kind.REARRANGE,
+        StepKind.REARRANGE,
         _SHORT + rf"x^2 {_SQUARES} + y^2 {_SQUARES}" + _END,
         _SHORT + rf"x^2 (\dot{{x}} + \dot{{y}})^2 + y^2 {_SQUARES}" + _END,
     ),
-    _line(8, Kind.REARRANGE, _SHORT + rf"(x^2 + y^2) {_SQUARES}" + _END),
-    _line(9, Kind.SUBSTITUTE, rf"\frac{{\rho^2}}{{l^2}} {_SQUARES}", use_rho=True),
+    _line(8, StepKind.REARRANGE, _SHORT + rf"(x^2 + y^2) {_SQUARES}" + _END),
+    _line(9, StepKind.SUBSTITUTE, rf"\frac{{\rho^2}}{{l^2}} {_SQUARES}", use_rho=True),
     claim(
         "10.8:1",
         r"x\ddot{x} + y\ddot{y} = x\ddot{x} + \frac{y^2\ddot{x}}{x}",
-        Step(Kind.SUBSTITUTE, ("9:2",), (c.X_NOT_ZERO,)),
+        Step(StepKind.SUBSTITUTE, ("9:2",), (c.X_NOT_ZERO,)),
         Proof(identity(_from_9), _MOVING),
     ),
     claim(
         "10.8:2",
         r"= \frac{1}{x}\ddot{x}(x^2 + y^2)",
-        Step(Kind.REARRANGE, ("10.8:1",), (c.X_NOT_ZERO,)),
+        Step(StepKind.REARRANGE, ("10.8:1",), (c.X_NOT_ZERO,)),
         Proof(continued("10.8:1"), _MOVING),
         head="10.8:1",
     ),
@@ -190,7 +190,7 @@ FORMULAS: tuple[Formula, ...] = (
         + _T
         + rf" + \frac{{\rho^2}}{{l^2}}{_SQUARES} + "
         + r"\omega_0^2(x^2 + y^2)\sqrt{1 - \frac{\rho^2}{l^2}} = 0",
-        Step(Kind.SUBSTITUTE, ("10", "10.7:9", "10.8"), (c.X_NOT_ZERO, c.LOWER_HALF)),
+        Step(StepKind.SUBSTITUTE, ("10", "10.7:9", "10.8"), (c.X_NOT_ZERO, c.NOT_EQUATOR)),
         Proof(follows(_without_y_acceleration), _MOVING),
     ),
     claim(
@@ -198,9 +198,9 @@ FORMULAS: tuple[Formula, ...] = (
         r"\ddot{x} + \frac{x}{l^4}(x\dot{x} + y\dot{y})^2 \frac{1}{1 - \frac{\rho^2}{l^2}} "
         rf"+ \frac{{x}}{{l^2}}{_SQUARES} + \omega_0^2 x \sqrt{{1 - \frac{{\rho^2}}{{l^2}}}} = 0",
         Step(
-            Kind.MULTIPLY,
+            StepKind.MULTIPLY,
             ("6:1", "10.9"),
-            (c.X_NOT_ZERO, c.LOWER_HALF, c.NOT_EQUATOR),
+            (c.X_NOT_ZERO, c.NOT_EQUATOR),
             detail=r"\frac{x}{x^2 + y^2} = \frac{x}{\rho^2}",
         ),
         Proof(_times_x, _MOVING),
@@ -211,20 +211,25 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "12.1",
         r"\frac{1}{1 - \frac{\rho^2}{l^2}} = 1 + \frac{\rho^2}{l^2} + \dots",
-        Step(Kind.EXPAND, (), (c.SMALL,), neglected=r"\frac{\rho^4}{l^4}"),
+        Step(StepKind.EXPAND, (), (c.SMALL,), neglected=r"\frac{\rho^4}{l^4}"),
         Proof(_series, to_order(3, dynamic)),
     ),
     claim(
         "12.2",
         r"\sqrt{1 - \frac{\rho^2}{l^2}} = 1 - \frac{1}{2} \frac{\rho^2}{l^2} + \dots",
-        Step(Kind.EXPAND, (), (c.SMALL,), neglected=r"\frac{\rho^4}{l^4}"),
+        Step(StepKind.EXPAND, (), (c.SMALL,), neglected=r"-\frac{1}{8} \frac{\rho^4}{l^4}"),
         Proof(_series, to_order(3, dynamic)),
     ),
     claim(
         "12.3:1",
         r"\omega_0^2 x \sqrt{1 - \frac{\rho^2}{l^2}} "
         r"\approx \omega_0^2 x \left(1 - \frac{1}{2} \frac{\rho^2}{l^2}\right)",
-        Step(Kind.NEGLECT, ("12.2",), (c.SMALL,), neglected=r"\omega_0^2 \frac{x\rho^4}{l^4}"),
+        Step(
+            StepKind.NEGLECT,
+            ("12.2",),
+            (c.SMALL,),
+            neglected=r"-\frac{1}{8} \omega_0^2 \frac{x\rho^4}{l^4}",
+        ),
         Proof(follows(_root_expanded), to_order(4, dynamic), if_equal=Proof(given(), _MOVING)),
         printed=r"\omega_0^2 x \sqrt{1 - \frac{\rho^2}{l^2}} "
         r"= \omega_0^2 x \left(1 - \frac{1}{2} \frac{\rho^2}{l^2}\right)",
@@ -232,7 +237,7 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "12.3:2",
         r"= \omega_0^2 x - \frac{1}{2} \omega_0^2 \frac{x}{l^2} (x^2 + y^2)",
-        Step(Kind.SUBSTITUTE, ("6:1", "12.3:1")),
+        Step(StepKind.SUBSTITUTE, ("6:1", "12.3:1")),
         Proof(continued("12.3:1", rules=_rho), to_order(4, dynamic)),
         head="12.3:1",
     ),
@@ -241,10 +246,11 @@ FORMULAS: tuple[Formula, ...] = (
         r"\ddot{x} + \omega_0^2 x - \frac{1}{2} \omega_0^2 \frac{x}{l^2} (x^2 + y^2) "
         rf"+ \frac{{x}}{{l^2}} {_SQUARES} = 0",
         Step(
-            Kind.NEGLECT,
+            StepKind.NEGLECT,
             ("6:1", "12", "12.1", "12.3"),
             (c.SMALL, c.SMALL_RATES),
-            neglected=r"\omega_0^2 \frac{x\rho^4}{l^4}",
+            neglected=r"\frac{x}{l^4}(x\dot{x} + y\dot{y})^2 "
+            r"- \frac{1}{8} \omega_0^2 \frac{x\rho^4}{l^4}",
         ),
         Proof(follows(_cubic), to_order(4, dynamic)),
         number="13a",
@@ -254,10 +260,11 @@ FORMULAS: tuple[Formula, ...] = (
         r"\ddot{y} + \omega_0^2 y - \frac{1}{2} \omega_0^2 \frac{y}{l^2} (x^2 + y^2) "
         rf"+ \frac{{y}}{{l^2}} {_SQUARES} = 0",
         Step(
-            Kind.NEGLECT,
+            StepKind.NEGLECT,
             ("6:1", "12", "12.1", "12.3"),
-            (c.SMALL, c.SMALL_RATES, c.SAME_BY_SYMMETRY, c.Y_NOT_ZERO),
-            neglected=r"\omega_0^2 \frac{y\rho^4}{l^4}",
+            (c.SMALL, c.SMALL_RATES, c.SAME_BY_SYMMETRY),
+            neglected=r"\frac{y}{l^4}(x\dot{x} + y\dot{y})^2 "
+            r"- \frac{1}{8} \omega_0^2 \frac{y\rho^4}{l^4}",
         ),
         Proof(follows(_exchanged), to_order(4, dynamic)),
         number="13b",

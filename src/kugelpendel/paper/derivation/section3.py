@@ -7,7 +7,7 @@ from kugelpendel.paper.algebra.calculus import small, truncated
 from kugelpendel.paper.algebra.notation import Relation
 from kugelpendel.paper.algebra.sympy_names import Expr, diff
 from kugelpendel.paper.derivation import conditions as c
-from kugelpendel.paper.derivation.model import Formula, Kind, Step, claim
+from kugelpendel.paper.derivation.model import Formula, Step, StepKind, claim
 from kugelpendel.paper.proofs.numeric import in_world
 from kugelpendel.paper.proofs.symbolic import Premises, Proof
 from kugelpendel.paper.proofs.worlds import linear
@@ -32,8 +32,13 @@ def _solves(relation: Relation, p: Premises) -> list[Expr]:
     return results or [relation.difference]
 
 
-_STEP_X = Step(Kind.SOLVE, ("13a",), (c.LINEAR,), neglected=r"\omega_0^2 \frac{x^3}{l^2}")
-_STEP_Y = Step(Kind.SOLVE, ("13b",), (c.LINEAR,), neglected=r"\omega_0^2 \frac{y^3}{l^2}")
+_CUBIC_X, _CUBIC_Y = (
+    rf"-\frac{{1}}{{2}} \omega_0^2 \frac{{{q}}}{{l^2}} (x^2 + y^2) "
+    rf"+ \frac{{{q}}}{{l^2}} (\dot{{x}}^2 + \dot{{y}}^2)"
+    for q in "xy"
+)
+_STEP_X = Step(StepKind.SOLVE, ("13a",), (c.LINEAR,), neglected=_CUBIC_X)
+_STEP_Y = Step(StepKind.SOLVE, ("13b",), (c.LINEAR,), neglected=_CUBIC_Y)
 
 FORMULAS: tuple[Formula, ...] = (
     claim("16:x", r"x = a \cos \omega_0 t", _STEP_X, Proof(_solves, _LINEAR), number="16"),

@@ -117,7 +117,7 @@ class Writer:
                 f"{self._links([one.where])}{BREAK}{ui(f'misprint_{one.kind}')}",
                 f"~~{self.say(words.printed(one))}~~{BREAK}**{self.say(words.right(one))}**",
                 self._reasons(one),
-                self._links(one.travels) if one.travels else ui("stays"),
+                self._links(one.travels) if one.travels else "–",
             ]
             for one in self._document.misprints
         ]
@@ -177,7 +177,7 @@ class Writer:
     def _wrong(self, line: Line) -> str:
         ui, is_misprinted = self._ui, line.formula.is_misprinted
         kinds = dict.fromkeys(ui(f"misprint_{one.kind}") for one in line.misprints)
-        parts = [f"**{ui('misprint')}: {', '.join(kinds)}**"]
+        parts = [f"**{ui('in_print')}: {', '.join(kinds)}**"]
         if is_misprinted:
             parts.extend([f"{ui('printed')}:", self._block(line.formula.printed)])
         parts.extend(self._note(one) for one in line.misprints)

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import tomllib
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
+
+from kugelpendel.paper.derivation.statements import resolved, sentences
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from kugelpendel.paper.derivation.model import Misprint
-
-LANGUAGES = ("de", "en")
 
 
 @dataclass(frozen=True)
@@ -25,7 +23,7 @@ class Words:
     language
         "de" or "en".
     tables
-        The file's tables as they are.
+        The file's tables, with formulas in the places of their names.
     """
 
     language: str
@@ -104,6 +102,15 @@ def quoted(text: str) -> str:
 
 @cache
 def words(language: str) -> Words:
-    """Read the wording of a language, one of `LANGUAGES`."""
-    file = files("kugelpendel.paper.document") / "sentences" / f"{language}.toml"
-    return Words(language, tomllib.loads(file.read_text(encoding="utf-8")))
+    """Read the wording of a language, one of `LANGUAGES`, with its statements put in."""
+    return Words(language, {key: _resolved(entry) for key, entry in sentences(language).items()})
+
+
+def _resolved(entry: Any) -> Any:
+    match entry:
+        case str():
+            return resolved(entry)
+        case list():
+            return [_resolved(one) for one in cast("list[Any]", entry)]
+        case _:
+            return {key: _resolved(one) for key, one in cast("dict[str, Any]", entry).items()}

@@ -10,7 +10,7 @@ from kugelpendel.paper.algebra.sympy_names import mp, mpf
 from kugelpendel.paper.proofs.worlds import DIGITS, Number, World, ellipse
 
 POINTS = 3
-_TOLERANCE = 50  # digits
+TOLERANCE = 50  # digits
 EXPONENT = 12  # the small sizes are 1e-12
 Numeric = Callable[[Relation], Iterator[bool]]  # one answer per random point
 
@@ -18,7 +18,7 @@ Numeric = Callable[[Relation], Iterator[bool]]  # one answer per random point
 def _agrees(relation: Relation, world: World, size: Number = 1) -> bool:
     left, right = world.value(relation.lhs), world.value(relation.rhs)
     scale = max(abs(left), abs(right), size)
-    return abs(left - right) <= scale * mpf(10) ** (-_TOLERANCE)
+    return abs(left - right) <= scale * mpf(10) ** (-TOLERANCE)
 
 
 def in_world(make: Callable[[int], World]) -> Numeric:
@@ -64,7 +64,7 @@ def first_harmonics(kept: int | None, pure: bool = True, beats: int = 8) -> Nume
 
     def numeric(relation: Relation) -> Iterator[bool]:
         with mp.workdps(DIGITS + (kept or 0) * EXPONENT):
-            size = mpf(10) ** (-_TOLERANCE)
+            size = mpf(10) ** (-TOLERANCE)
             if kept is not None:
                 size = mpf(10) ** (-EXPONENT * kept) * mpf(10) ** (-EXPONENT) * 100
             for seed in range(POINTS):

@@ -108,7 +108,8 @@ class World:
         return path(tau) if order == 0 else mp.diff(path, tau, order)
 
 
-def _draw(rng: Random, low: float, high: float) -> Number:
+def draw(rng: Random, low: float, high: float) -> Number:
+    """Draw a number between two bounds, with 160 random bits."""
     return mpf(low) + (mpf(high) - mpf(low)) * mpf(rng.getrandbits(160)) / (1 << 160)
 
 
@@ -119,7 +120,8 @@ def turned(theta: Number, phi: Number, vector: Vector) -> Vector:
     return (mp.cos(phi) * vx - mp.sin(phi) * vy, mp.sin(phi) * vx + mp.cos(phi) * vy, vz)
 
 
-def _dot(u: Vector, v: Vector) -> Number:
+def dot(u: Vector, v: Vector) -> Number:
+    """Give the scalar product."""
     return mp.fsum(p * q for p, q in zip(u, v, strict=True))
 
 
@@ -136,36 +138,38 @@ def _component(k: int, axis: int, vector: Vector, angle: Number) -> Number:
     return _about_axis(axis, angle, vector)[k]
 
 
-def _common(rng: Random) -> dict[Expr, Number]:
+def common(rng: Random) -> dict[Expr, Number]:
     """With an ω and an Ω that no right formula of sections 1 to 3 contains, but mutants do."""
     ranges = {s.m: (0.5, 2), s.g: (5, 12), s.l: (0.5, 2), s.omega: (1, 3), s.Omega: (0.1, 0.9)}
-    return {letter: _draw(rng, low, high) for letter, (low, high) in ranges.items()}
+    return {letter: draw(rng, low, high) for letter, (low, high) in ranges.items()}
 
 
 def _with_vectors(constants: dict[Expr, Number], paths: dict[Expr, Path], rng: Random) -> World:
     """Adds unit vectors, as their components along a random direction, and angular momentum."""
     theta, phi = paths[s.theta](0), paths[s.phi](0)
-    along = tuple(_draw(rng, -1, 1) for _ in range(3))
+    along = tuple(draw(rng, -1, 1) for _ in range(3))
     triad = ((0, 0, 1), (1, 0, 0), (0, 1, 0))  # r, θ, φ at θ = φ = 0
     for unit, start in zip(s.SPHERICAL, triad, strict=True):
-        constants[unit] = _dot(along, turned(theta, phi, tuple(map(mpf, start))))
+        constants[unit] = dot(along, turned(theta, phi, tuple(map(mpf, start))))
     constants.update(zip(s.CARTESIAN, along, strict=True))
     place = tuple(paths[q](0) for q in (s.x, s.y, s.z))
     speed = tuple(mp.diff(paths[q], 0) for q in (s.x, s.y, s.z))
     for axis, name in enumerate(("L_x", "L_y", "L_z")):
         turning = tuple(mp.diff(partial(_component, k, axis, place), 0) for k in range(3))
-        constants[SYMBOL[name]] = constants[s.m] * _dot(speed, turning)
+        constants[SYMBOL[name]] = constants[s.m] * dot(speed, turning)
     return World(constants, paths)
 
 
 @cache
-def kinematic(seed: int) -> World:
-    """Any motion on the sphere's lower half, whether forces allow it or not."""
+def kinematic(seed: int, above: bool = False) -> World:
+    """Any motion on the sphere, whether forces allow it or not; on its lower half, or `above`."""
     rng = Random(f"kinematic {seed}")
-    constants = _common(rng)
+    constants = common(rng)
     length = constants[s.l]
-    thetas = [_draw(rng, 0.3, 1.2), *(_draw(rng, 0.3, 1.5) for _ in range(3))]
-    phis = [_draw(rng, 0.3, 1.2), *(_draw(rng, 0.3, 1.5) for _ in range(3))]
+    thetas = [draw(rng, 0.3, 1.2), *(draw(rng, 0.3, 1.5) for _ in range(3))]
+    if above:
+        thetas[0] = mp.pi - thetas[0]
+    phis = [draw(rng, 0.3, 1.2), *(draw(rng, 0.3, 1.5) for _ in range(3))]
 
     def theta(tau: Number) -> Number:
         return mp.fsum(c * tau**k / mp.factorial(k) for k, c in enumerate(thetas))
@@ -177,7 +181,7 @@ def kinematic(seed: int) -> World:
         return turned(theta(tau), phi(tau), (mpf(0), mpf(0), length))
 
     paths = _cartesian(place) | {s.theta: theta, s.phi: phi}
-    constants[s.T] = _draw(rng, 1, 5)
+    constants[s.T] = draw(rng, 1, 5)
     constants[s.omega0] = mp.sqrt(constants[s.g] / length)
     return _with_vectors(constants, paths, rng)
 
@@ -188,7 +192,7 @@ def _cartesian(place: Callable[[Number], Vector]) -> dict[Expr, Path]:
         s.y: lambda tau: place(tau)[1],
         s.z: lambda tau: place(tau)[2],
         s.rho: lambda tau: mp.hypot(place(tau)[0], place(tau)[1]),
-        s.r: lambda tau: mp.sqrt(_dot(place(tau), place(tau))),
+        s.r: lambda tau: mp.sqrt(dot(place(tau), place(tau))),
     }
 
 
@@ -200,27 +204,35 @@ def dynamic(seed: int, exponent: int = 0) -> World:
     sphere (d'Alembert), and keeps the bob on it.
     """
     rng = Random(f"dynamic {seed}")
-    constants = _common(rng)
+    constants = common(rng)
     length, gravity, mass = constants[s.l], constants[s.g], constants[s.m]
     eps = mpf(10) ** (-exponent)
-    px, py = (eps * length * _draw(rng, 0.2, 0.6) for _ in range(2))
-    vx, vy = (eps * length * _draw(rng, 0.5, 2.5) for _ in range(2))
+    px, py = (eps * length * draw(rng, 0.2, 0.6) for _ in range(2))
+    vx, vy = (eps * length * draw(rng, 0.5, 2.5) for _ in range(2))
     place = (px, py, mp.sqrt(length**2 - px**2 - py**2))
     speed = (vx, vy, -(px * vx + py * vy) / place[2])
     across = [(mpf(1), mpf(0), -px / place[2]), (mpf(0), mpf(1), -py / place[2])]
     left = mp.matrix([*across, place])
-    right = mp.matrix([gravity * across[0][2], gravity * across[1][2], -_dot(speed, speed)])
+    right = mp.matrix([gravity * across[0][2], gravity * across[1][2], -dot(speed, speed)])
     push = mp.lu_solve(left, right)
     pull = (-push[0], -push[1], gravity - push[2])
+    constants[s.T] = mass * dot(pull, place) / length
+    constants[s.omega0] = mp.sqrt(gravity / length)
+    return moment(constants, place, speed, (push[0], push[1], push[2]), rng)
+
+
+def moment(
+    constants: dict[Expr, Number], place: Vector, speed: Vector, push: Vector, rng: Random
+) -> World:
+    """A motion with that place, velocity and acceleration, seen at the moment when it has them."""
 
     def at(tau: Number) -> Vector:
-        return tuple(place[k] + speed[k] * tau + push[k] * tau**2 / 2 for k in range(3))
+        x, y, z = (place[k] + speed[k] * tau + push[k] * tau**2 / 2 for k in range(3))
+        return x, y, z
 
     paths = _cartesian(at)
     paths[s.theta] = lambda tau: mp.atan2(mp.hypot(at(tau)[0], at(tau)[1]), at(tau)[2])
     paths[s.phi] = lambda tau: mp.atan2(at(tau)[1], at(tau)[0])
-    constants[s.T] = mass * _dot(pull, place) / length
-    constants[s.omega0] = mp.sqrt(gravity / length)
     return _with_vectors(constants, paths, rng)
 
 
@@ -231,9 +243,9 @@ def linear(seed: int) -> World:
     Its motion is summed from the power series that the equation itself gives.
     """
     rng = Random(f"linear {seed}")
-    constants = _common(rng)
-    constants |= {s.a: _draw(rng, 0.5, 2), s.b: _draw(rng, 0.3, 1.5), s.omega0: _draw(rng, 1, 3)}
-    rate, start = constants[s.omega0], _draw(rng, 0.2, 0.6)
+    constants = common(rng)
+    constants |= {s.a: draw(rng, 0.5, 2), s.b: draw(rng, 0.3, 1.5), s.omega0: draw(rng, 1, 3)}
+    rate, start = constants[s.omega0], draw(rng, 0.2, 0.6)
     constants[s.t] = start
 
     def series(place: Number, speed: Number, time: Number) -> Number:
@@ -278,11 +290,11 @@ def _ellipse(constants: dict[Expr, Number], swing: Number, turn: Number) -> Worl
 
 def _slow_constants(rng: Random, exponent: int) -> dict[Expr, Number]:
     eps = mpf(10) ** (-exponent)
-    constants = {s.l: _draw(rng, 0.7, 1.5), s.omega0: _draw(rng, 1, 3)}
-    constants[s.a] = eps * _draw(rng, 0.8, 1.4)
-    constants[s.b] = eps * _draw(rng, 0.2, 0.6)
-    constants[s.omega] = mp.sqrt(constants[s.omega0] ** 2 + eps**2 * _draw(rng, -1, -0.3))
-    constants[s.Omega] = eps**2 * _draw(rng, 0.3, 0.9)
+    constants = {s.l: draw(rng, 0.7, 1.5), s.omega0: draw(rng, 1, 3)}
+    constants[s.a] = eps * draw(rng, 0.8, 1.4)
+    constants[s.b] = eps * draw(rng, 0.2, 0.6) * rng.choice((1, -1))
+    constants[s.omega] = mp.sqrt(constants[s.omega0] ** 2 + eps**2 * draw(rng, -1, -0.3))
+    constants[s.Omega] = eps**2 * draw(rng, 0.3, 0.9)
     return constants
 
 
@@ -294,7 +306,7 @@ def ellipse(seed: int, exponent: int = 0, beat: int = -1, beats: int = 8) -> Wor
     """
     rng = Random(f"ellipse {seed}")
     constants = _slow_constants(rng, exponent)
-    swing, turn = _draw(rng, 0.3, 1.2), _draw(rng, 0.3, 1.2)
+    swing, turn = draw(rng, 0.3, 1.2), draw(rng, 0.3, 1.2)
     if beat >= 0:
         swing = 2 * mp.pi * beat / beats
     constants[s.t] = mpf(1)
@@ -322,7 +334,7 @@ def balanced(seed: int, exponent: int) -> World:
     for _ in range(2 + mp.dps // (2 * exponent)):
         found -= mp.lu_solve(slope, imbalance(found[0], found[1]))
     imbalance(found[0], found[1])
-    return _ellipse(constants, _draw(rng, 0.3, 1.2), _draw(rng, 0.3, 1.2))
+    return _ellipse(constants, draw(rng, 0.3, 1.2), draw(rng, 0.3, 1.2))
 
 
 def _first_harmonics(constants: dict[Expr, Number], beats: int = 8) -> tuple[Number, Number]:

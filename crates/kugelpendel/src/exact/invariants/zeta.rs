@@ -15,6 +15,7 @@
 
 use crate::numbers::arithmetic::Arithmetic;
 use crate::numbers::double_double::Dd;
+use crate::numbers::landen::Landen;
 
 /// M(√larger, √smaller), for each first term W_1 the sum of the W_n with n ≥ 2, and whether all have converged.
 #[inline(always)]
@@ -24,14 +25,14 @@ pub(crate) fn mean_and_sums<A: Arithmetic, const QUICK: bool>(
     half_range: Dd<A>,
     first: [Dd<A>; 2],
 ) -> (Dd<A>, [Dd<A>; 2], bool) {
-    let (a, b) = (larger.sqrt(), smaller.sqrt());
+    let mut mean = Landen { a: larger.sqrt(), b: smaller.sqrt(), c: Dd::ZERO }.next();
     // c_1 = (a_0² − b_0²)/(4 a_1) with a_0² − b_0² = 2·half_range
-    let (a, b) = (a.plus(b).scale(0.5), (a * b).sqrt());
-    let mut rung = Rung { a, b, c: half_range.scale(0.5) / a, terms: first, sums: [Dd::ZERO; 2] };
+    mean.c = half_range.scale(0.5) / mean.a;
+    let mut rung = ZetaStep { mean, terms: first, sums: [Dd::ZERO; 2] };
     if QUICK {
         rung = rung.next().next().next();
     } else {
-        if b.hi == 0.0 {
+        if mean.b.hi == 0.0 {
             return (Dd::ZERO, rung.sums, true); // the separatrix: infinite period
         }
         for _ in 0..40 {
@@ -48,48 +49,39 @@ pub(crate) fn mean_and_sums<A: Arithmetic, const QUICK: bool>(
 
 /// One step of the mean and of the two sums.
 #[derive(Clone, Copy)]
-struct Rung<A> {
-    a: Dd<A>,
-    b: Dd<A>,
-    c: Dd<A>,
+struct ZetaStep<A> {
+    mean: Landen<Dd<A>>,
     terms: [Dd<A>; 2],
     sums: [Dd<A>; 2],
 }
 
-impl<A: Arithmetic> Rung<A> {
+impl<A: Arithmetic> ZetaStep<A> {
     #[inline(always)]
     fn next(self) -> Self {
-        let Self { a, b, c, terms: [lower, upper], sums: [lower_sum, upper_sum] } = self;
-        let (a_squared, c_squared) = (a.square(), c.square());
+        let Self { mean, terms: [lower, upper], sums: [lower_sum, upper_sum] } = self;
+        let (a_squared, c_squared) = (mean.a.square(), mean.c.square());
         let lower = next_term(a_squared, c_squared, lower);
         let upper = next_term(a_squared, c_squared, upper);
-        let mean = a.plus(b).scale(0.5);
-        Self {
-            a: mean,
-            b: (a * b).sqrt(),
-            c: c_squared / mean.scale(4.0),
-            terms: [lower, upper],
-            sums: [lower_sum.plus(lower), upper_sum.plus(upper)],
-        }
+        Self { mean: mean.next(), terms: [lower, upper], sums: [lower_sum.plus(lower), upper_sum.plus(upper)] }
     }
 
     /// What the next steps add is below 1e-12, so that binary64 is enough for it.
     #[inline(always)]
     fn is_nearly_there(&self) -> bool {
-        let limit = 1e-6 * self.a.hi;
-        (self.c.hi <= limit) & (self.terms[0].hi <= limit) & (self.terms[1].hi <= limit)
+        let limit = 1e-6 * self.mean.a.hi;
+        (self.mean.c.hi <= limit) & (self.terms[0].hi <= limit) & (self.terms[1].hi <= limit)
     }
 
     #[inline(always)]
     fn finish(self) -> (Dd<A>, [Dd<A>; 2]) {
-        let (a, c, [lower, upper]) = (self.a.hi, self.c.hi, [self.terms[0].hi, self.terms[1].hi]);
+        let (a, c, [lower, upper]) = (self.mean.a.hi, self.mean.c.hi, [self.terms[0].hi, self.terms[1].hi]);
         let next = |a: f64, c: f64, w: f64| 0.5 * w * ((c * c + w * w) / (a * a + w * w)).sqrt();
         let (lower_1, upper_1) = (next(a, c, lower), next(a, c, upper));
         // a_{n+1} = a_n − c_{n+1}
         let c_1 = 0.25 * c * c / a;
         let (lower_2, upper_2) = (next(a, c_1, lower_1), next(a, c_1, upper_1));
         (
-            self.a - Dd::from(c_1 + 0.25 * c_1 * c_1 / a),
+            self.mean.a - Dd::from(c_1 + 0.25 * c_1 * c_1 / a),
             [self.sums[0].plus(Dd::from(lower_1 + lower_2)), self.sums[1].plus(Dd::from(upper_1 + upper_2))],
         )
     }

@@ -2,27 +2,30 @@
 //!
 //! Source: see [`super::tableau`].
 
-use super::law::{Law, NUMBERS, State};
+use super::equations::{AveragedEquations, NUMBERS, SlowState};
 use super::tableau::{ALL, DENSE, ERROR, STAGE, STAGES};
 
 /// Of a step: against the larger of C±, for Ψ in rad and for Γ; and for the phase in rad.
 const TOLERANCE: f64 = 1e-10;
 const PHASE_TOLERANCE: f64 = 1e-8;
 
+/// Where a drive feeds them, C± grow as fast as e^Γ, and A± stay as they are: beyond this size Γ is taken into them.
+const LARGEST: f64 = 1e100;
+
 /// A step ends the motion where it would have to be shorter than this.
 const SHORTEST: f64 = 1e-6;
 
 /// How far the integration has come, forwards or backwards: the latest step.
 #[derive(Clone, Debug)]
-pub(super) struct Walk {
+pub(super) struct AveragedStepper {
     direction: f64,
     /// Where the step begins, and its size with the sign of the direction; 0 before the first.
     start: f64,
     size: f64,
     /// The step as powers of the share s of it gone by and of 1 − s, in turn.
-    series: [State; 8],
-    end: State,
-    slope: State,
+    series: [SlowState; 8],
+    end: SlowState,
+    slope: SlowState,
     /// What the next step will try.
     next: f64,
     /// arg B₊ and arg B₋, followed continuously: at the beginning of the step and at its end.
@@ -34,15 +37,32 @@ pub(super) struct Walk {
 /// The motion at one time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Moment {
-    pub(super) state: State,
+    pub(super) state: SlowState,
     /// arg B₊ and arg B₋, continuous from the launch on.
     pub(super) angles: [f64; 2],
 }
 
-impl Walk {
-    pub(super) fn new(law: &Law, start: &Moment, direction: f64) -> Self {
+impl Moment {
+    /// The launch, by the sizes of A± and their arguments.
+    pub(super) fn of([p, q]: [f64; 2], angles: [f64; 2]) -> Self {
+        let [ahead, behind] = angles.map(f64::sin_cos);
+        Self { state: [p * ahead.1, p * ahead.0, q * behind.1, q * behind.0, 0.0, 0.0, 0.0], angles }
+    }
+
+    /// That moment of a motion whose amplitudes do not change.
+    pub(super) fn after(&self, time: f64, slope: &SlowState) -> Self {
+        let mut state = self.state;
+        for k in 4..NUMBERS {
+            state[k] += slope[k] * time;
+        }
+        Self { state, angles: self.angles.map(|angle| angle + slope[5] * time) }
+    }
+}
+
+impl AveragedStepper {
+    pub(super) fn new(equations: &AveragedEquations, start: &Moment, direction: f64) -> Self {
         let state = start.state;
-        let slope = law.slope(&state);
+        let slope = equations.slope(&state);
         let mut series = [[0.0; NUMBERS]; 8];
         series[0] = state;
         let rate = size(&slope) / size(&state) + slope[6].abs();
@@ -89,25 +109,25 @@ impl Walk {
     }
 
     /// The next step; none where the motion ends, that is where the bob comes level with the support.
-    pub(super) fn advance(&mut self, law: &Law) {
+    pub(super) fn advance(&mut self, equations: &AveragedEquations) {
         let (begin, begin_angles) = (self.end, self.end_angles);
         let mut slopes = [[0.0; NUMBERS]; ALL];
         slopes[0] = self.slope;
         let mut step = self.next;
         loop {
             for stage in 1..=STAGES {
-                slopes[stage] = law.slope(&after(&begin, step, STAGE[stage - 1], &slopes));
+                slopes[stage] = equations.slope(&after(&begin, step, STAGE[stage - 1], &slopes));
             }
             let end = after(&begin, step, STAGE[STAGES - 1], &slopes);
             let error = error(&slopes, size(&begin).max(size(&end)), step);
             if error <= 1.0 {
                 for stage in STAGES + 1..ALL {
-                    slopes[stage] = law.slope(&after(&begin, step, STAGE[stage - 1], &slopes));
+                    slopes[stage] = equations.slope(&after(&begin, step, STAGE[stage - 1], &slopes));
                 }
                 self.start += self.size;
                 self.size = step;
                 self.series = interpolant(&begin, &end, step, &slopes);
-                (self.end, self.slope) = (end, slopes[STAGES]);
+                (self.end, self.slope) = rescaled(end, slopes[STAGES]);
                 self.angles = begin_angles;
                 self.end_angles = followed(begin_angles, &begin, &end);
                 self.next = step * (0.9 * error.powf(-0.125)).clamp(0.33, 6.0);
@@ -123,7 +143,7 @@ impl Walk {
     }
 }
 
-fn after(begin: &State, step: f64, weights: &[f64], slopes: &[State; ALL]) -> State {
+fn after(begin: &SlowState, step: f64, weights: &[f64], slopes: &[SlowState; ALL]) -> SlowState {
     let mut state = *begin;
     for (weight, slope) in weights.iter().zip(slopes) {
         if *weight != 0.0 {
@@ -135,13 +155,26 @@ fn after(begin: &State, step: f64, weights: &[f64], slopes: &[State; ALL]) -> St
     state
 }
 
+/// State and slope with Γ taken into C± where these have grown large.
+fn rescaled(mut state: SlowState, mut slope: SlowState) -> (SlowState, SlowState) {
+    if size(&state) > LARGEST {
+        let scale = (-state[6]).exp();
+        for k in 0..4 {
+            state[k] *= scale;
+            slope[k] *= scale;
+        }
+        state[6] = 0.0;
+    }
+    (state, slope)
+}
+
 /// The larger of C±.
-fn size(state: &State) -> f64 {
+fn size(state: &SlowState) -> f64 {
     state[0].hypot(state[1]).max(state[2].hypot(state[3]))
 }
 
 /// Of the step, in units of the tolerance.
-fn error(slopes: &[State; ALL], size: f64, step: f64) -> f64 {
+fn error(slopes: &[SlowState; ALL], size: f64, step: f64) -> f64 {
     let circle = 1.0 / (TOLERANCE * size.max(f64::MIN_POSITIVE / TOLERANCE));
     let weights = [circle, circle, circle, circle, 1.0 / PHASE_TOLERANCE, 1.0 / TOLERANCE, 1.0 / TOLERANCE];
     let [fifth, third] = ERROR.map(|coefficients| {
@@ -151,7 +184,7 @@ fn error(slopes: &[State; ALL], size: f64, step: f64) -> f64 {
     if fifth == 0.0 { 0.0 } else { step.abs() * fifth / (fifth + 0.01 * third).sqrt() }
 }
 
-fn interpolant(begin: &State, end: &State, step: f64, slopes: &[State; ALL]) -> [State; 8] {
+fn interpolant(begin: &SlowState, end: &SlowState, step: f64, slopes: &[SlowState; ALL]) -> [SlowState; 8] {
     let mut series = [[0.0; NUMBERS]; 8];
     series[0] = *begin;
     for k in 0..NUMBERS {
@@ -167,7 +200,7 @@ fn interpolant(begin: &State, end: &State, step: f64, slopes: &[State; ALL]) -> 
 }
 
 /// The angles of B± at a later state of the same step, which turns C± by less than half a turn.
-fn followed(angles: [f64; 2], begin: &State, state: &State) -> [f64; 2] {
+fn followed(angles: [f64; 2], begin: &SlowState, state: &SlowState) -> [f64; 2] {
     let turned = |k: usize| {
         let (cos, sin) =
             (begin[k] * state[k] + begin[k + 1] * state[k + 1], begin[k] * state[k + 1] - begin[k + 1] * state[k]);

@@ -1,0 +1,1 @@
+"""Whether a step is what it says: its operation, and the conditions that it needs."""
