@@ -102,7 +102,7 @@ def puiseux() -> tuple[float, float, float]:
     pendulum = kp.Pendulum(67.0, 9.81)
     sideways = 0.01 * float(pendulum.angular_frequency)
     exact = kp.ExactMotion(pendulum, kp.Launch.apsides(3.0, 0.01))
-    by_25 = float(kp.precession_rate(3.0, 0.01, 67.0, 9.81))
+    by_25 = float(kp.olsson.precession(3.0, 0.01, 67.0, 9.81))
     return 3 * 3.0 * sideways / (8 * 67.0**2), by_25, float(exact.precession)
 
 

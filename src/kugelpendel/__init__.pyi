@@ -1,8 +1,10 @@
+from . import olsson as olsson
 from . import series as series
 from .builder import Design as Design
 from .builder import DesignAnswer as DesignAnswer
 from .builder import DesignCheck as DesignCheck
 from .builder import design as design
+from .citation import cite as cite
 from .errors import EventNotFound as EventNotFound
 from .errors import InvalidInput as InvalidInput
 from .errors import KugelpendelError as KugelpendelError
@@ -12,6 +14,7 @@ from .motion import CubicMotion as CubicMotion
 from .motion import EnvelopeMotion as EnvelopeMotion
 from .motion import ExactMotion as ExactMotion
 from .motion import LinearMotion as LinearMotion
+from .motion import Motion as Motion
 from .motion import OlssonMotion as OlssonMotion
 from .motion import PlaneMotion as PlaneMotion
 from .motion import PrecessionBudget as PrecessionBudget
@@ -19,13 +22,15 @@ from .motion import RealMotion as RealMotion
 from .motion import SeriesMotion as SeriesMotion
 from .motion import Spectrum as Spectrum
 from .observables import Comparison as Comparison
+from .observables import Ellipse as Ellipse
+from .observables import IdealSummary as IdealSummary
 from .observables import Portrait as Portrait
+from .observables import Rates as Rates
 from .observables import Validity as Validity
 from .observables import ValidityMap as ValidityMap
 from .observables import compare as compare
 from .observables import ellipse as ellipse
-from .observables import precession_rate as precession_rate
-from .observables import swing_frequency as swing_frequency
+from .observables import measured_rates as measured_rates
 from .observables import validity as validity
 from .observables import validity_map as validity_map
 from .parameters import Bob as Bob
@@ -38,6 +43,8 @@ from .parameters import Site as Site
 from .parameters import Suspension as Suspension
 from .parameters import Wire as Wire
 
+__version__: str
+
 __all__ = [
     "Bob",
     "Comparison",
@@ -47,21 +54,25 @@ __all__ = [
     "DesignCheck",
     "Drag",
     "Drive",
+    "Ellipse",
     "EnvelopeMotion",
     "EventNotFound",
     "ExactMotion",
     "Forces",
+    "IdealSummary",
     "InvalidInput",
     "KugelpendelError",
     "Launch",
     "LinearMotion",
     "MissingExtra",
+    "Motion",
     "MotionEnded",
     "OlssonMotion",
     "Pendulum",
     "PlaneMotion",
     "Portrait",
     "PrecessionBudget",
+    "Rates",
     "RealMotion",
     "SeriesMotion",
     "Site",
@@ -70,12 +81,13 @@ __all__ = [
     "Validity",
     "ValidityMap",
     "Wire",
+    "cite",
     "compare",
     "design",
     "ellipse",
-    "precession_rate",
+    "measured_rates",
+    "olsson",
     "series",
-    "swing_frequency",
     "validity",
     "validity_map",
 ]

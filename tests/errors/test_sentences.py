@@ -53,6 +53,8 @@ CORE: dict[str, Any] = {
     "pumping_too_hard": lambda: real(drive=kp.Drive(0.1, phase=0.0), drag=kp.Drag(1e-6)),
     "too_strong": lambda: kp.EnvelopeMotion(P, SWING, suspension=kp.Suspension(1.0)),
     "rises_to_support": lambda: kp.EnvelopeMotion(P, kp.Launch.at_rest(2.0)),
+    "above_support": lambda: kp.OlssonMotion(P, kp.Launch.at_rest(2.0)),
+    "starts_above": lambda: kp.PlaneMotion(P, kp.Launch.at_rest(2.0)),
 }
 
 MASSES = kp.Drag(1e-4), kp.Forces(drag=kp.Drag(1e-4))
@@ -69,6 +71,9 @@ PYTHON: dict[str, Any] = {
     "slack": lambda: kp.RealMotion(P, LOOP).position(60.0),
     "averaged_to_support": lambda: kp.EnvelopeMotion(P, SWING, drag=kp.Drag(1e-3)).position(-1e5),
     "level_with_support": lambda: kp.PlaneMotion(P, LOOP).position(60.0),
+    "runaway": lambda: kp.RealMotion(
+        P, kp.Launch.plane(0, 0, 3, 1), drag=kp.Drag(quadratic=0.5), thread="rod"
+    ).position(-1e3),
     "no_event": lambda: kp.RealMotion(P, SWING).next_event("slack", within=10.0),
 }
 
@@ -142,6 +147,7 @@ def test_numbers_and_words_of_the_kinds_do_not_change() -> None:
         20: "too_small", 25: "separatrix", 30: "latitude", 31: "height", 32: "two_gravities",
         33: "beyond_pole", 40: "lighter_than_air", 41: "bob_too_large", 50: "drive_phase",
         51: "pumping", 52: "pumping_too_hard", 60: "too_strong", 61: "rises_to_support",
+        70: "above_support", 71: "starts_above",
     }  # fmt: skip
 
 

@@ -2,8 +2,11 @@
 
 use crate::columns::{Numbers, new_array};
 use crate::given::{Problems, Told, bad, each_case, problems, tell};
-use crate::real::{GROUP, Signal, lock};
+use crate::signal::{Signal, lock};
 use kugelpendel::{Envelope, EnvelopeMotion, EnvelopeWalks, Halt, Invalid, Quantity, in_parallel};
+
+/// Motions that are integrated at once before anyone asks for an interruption.
+const GROUP: usize = 256;
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -72,7 +75,7 @@ impl EnvelopeMotions {
             row.fill(f64::NAN);
             let Ok(motion) = &self.motions[index] else { return };
             let mut walks = lock(&self.walks[index]);
-            if let Err(Halt::Ended(time)) = motion.fill(what, times, row, &mut walks, &|| signal.arrived()) {
+            if let Err(Halt::Ended(time, _)) = motion.fill(what, times, row, &mut walks, &|| signal.ends_work()) {
                 *end = time;
             }
         };
@@ -87,7 +90,7 @@ impl EnvelopeMotions {
             for (group, (out, ends)) in groups {
                 let rows = out.par_chunks_mut(size).zip(ends).enumerate();
                 in_parallel(|| rows.for_each(|(index, (out, end))| row(GROUP * group + index, out, end)));
-                if signal.arrived() {
+                if signal.ends_work() {
                     return;
                 }
             }
@@ -110,7 +113,7 @@ impl EnvelopeMotions {
     /// The first motion's largest distance from the full equations within so many swings, as a share of a.
     fn measured_error(&self, py: Python<'_>, swings: u32) -> PyResult<f64> {
         let signal = Signal::default();
-        let measure = |motion: &EnvelopeMotion| motion.measured_error(swings, &|| signal.arrived());
+        let measure = |motion: &EnvelopeMotion| motion.measured_error(swings, &|| signal.ends_work());
         let error = py.detach(|| self.motions.iter().flatten().next().map(measure));
         signal.raised()?;
         Ok(error.and_then(Result::ok).unwrap_or(f64::NAN))
@@ -120,7 +123,7 @@ impl EnvelopeMotions {
     fn span<'py>(&self, py: Python<'py>, within: f64) -> PyResult<Numbers<'py>> {
         let signal = Signal::default();
         let span = |motion: &Result<EnvelopeMotion, Invalid>| {
-            let span = motion.as_ref().ok().and_then(|motion| motion.span(within, &|| signal.arrived()).ok());
+            let span = motion.as_ref().ok().and_then(|motion| motion.span(within, &|| signal.ends_work()).ok());
             span.unwrap_or([f64::NAN; 2])
         };
         let spans: Vec<_> = match &self.motions[..] {

@@ -1,6 +1,7 @@
 //! What is given and what follows from it: columns in, numbers or problems out.
 
 use crate::columns::{Columns, Numbers, known_launcher};
+use crate::signal::Signal;
 use kugelpendel::{Acting, Bob, Drag, Invalid, Launch, Pendulum, Site, StillAir, Suspension, Wire, in_parallel};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -27,7 +28,7 @@ pub(crate) fn bad<M>(motions: &[Result<M, Invalid>]) -> impl Iterator<Item = (us
     motions.iter().enumerate().filter_map(|(index, motion)| Some((index, motion.as_ref().err()?)))
 }
 
-/// Makes a motion of each case, on all processors and without the interpreter.
+/// Makes a motion of each case, on all processors and without the interpreter, unless a signal arrives.
 pub(crate) fn each_case<M: Send>(
     py: Python<'_>,
     count: usize,
@@ -45,7 +46,12 @@ pub(crate) fn each_case<M: Send>(
     if count <= FEW {
         return Ok(py.detach(|| (0..count).map(one).collect()));
     }
-    Ok(py.detach(|| in_parallel(|| (0..count).into_par_iter().with_min_len(FEW).map(one).collect())))
+    let signal = Signal::default();
+    let one = |row: usize| (!signal.has_arrived()).then(|| one(row));
+    let all = || (0..count).into_par_iter().with_min_len(FEW).map(one).while_some().collect();
+    let motions = py.detach(|| signal.watch(|| in_parallel(all)));
+    signal.raised()?;
+    Ok(motions)
 }
 
 /// So many motions are made faster than a second thread wakes.

@@ -8,10 +8,19 @@ mod exact;
 mod given;
 mod harmonic;
 mod integrated;
+mod meaning;
 mod portrait;
 mod real;
+mod signal;
+mod stepped;
 
 use pyo3::prelude::*;
+
+/// How many steps of integration this process has taken so far, in all motions together.
+#[pyfunction]
+fn steps_taken() -> u64 {
+    kugelpendel::steps_taken()
+}
 
 /// The compiled part of the Python package.
 #[pymodule]
@@ -19,6 +28,8 @@ mod _core {
     /// Ω_E, rad/s: of the Earth against the stars.
     #[pymodule_export]
     const ROTATION: f64 = kugelpendel::ROTATION;
+    #[pymodule_export]
+    use super::steps_taken;
     #[pymodule_export]
     use crate::builder::{
         PyDecay, budget_at_start, critical_amplitude, critical_anisotropy, critical_damping, passage_time,
@@ -33,7 +44,12 @@ mod _core {
     #[pymodule_export]
     use crate::harmonic::HarmonicMotions;
     #[pymodule_export]
-    use crate::integrated::{integrated, integrated_span};
+    use crate::integrated::IntegratedMotions;
+    #[pymodule_export]
+    use crate::meaning::{
+        distances, events_on_a_grid, judged_radii, measured_rates, olsson_frequency, olsson_precession,
+        osculating_ellipses, reach, relative_error, thread_pull, unwrapped,
+    };
     #[pymodule_export]
     use crate::portrait::Portrait;
     #[pymodule_export]

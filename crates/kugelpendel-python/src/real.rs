@@ -1,24 +1,20 @@
 //! Real motions: flat arrays in, flat arrays out.
 
-use crate::columns::{Numbers, new_array};
-use crate::given::{Problems, Told, bad, each_case, problems, tell};
-use kugelpendel::{Event, Halt, Invalid, Quantity, RealMotion, Thread, Walks, in_parallel};
-use numpy::{IntoPyArray, PyReadonlyArray1};
+use crate::columns::Numbers;
+use crate::given::{Problems, Told, each_case};
+use crate::stepped::{Asked, Leg, Stepped};
+use kugelpendel::{RealMotion, Thread};
+use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use rayon::prelude::*;
 use std::collections::HashMap;
-use std::sync::Mutex;
 
-/// Motions that are integrated at once before anyone asks for an interruption.
-pub(crate) const GROUP: usize = 256;
+/// Steps over which the ends of a motion are looked for: some hundred milliseconds of work.
+const LOOKED: u64 = 100_000;
 
-/// Motions in a row, each with how far it has been integrated.
+/// Real motions in a row.
 #[pyclass(frozen, module = "kugelpendel._core")]
-pub(crate) struct RealMotions {
-    motions: Vec<Result<RealMotion, Invalid>>,
-    walks: Vec<Mutex<Walks>>,
-}
+pub(crate) struct RealMotions(Stepped<RealMotion>);
 
 #[pymethods]
 impl RealMotions {
@@ -43,140 +39,59 @@ impl RealMotions {
         let motions = each_case(py, count, &pendulum, launch.0, &launch.1, &acting, |pendulum, launch, acting| {
             RealMotion::under(&acting, pendulum, launch, thread, tolerance)
         })?;
-        let walks = (0..count).map(|_| Mutex::default()).collect();
-        Ok(Self { motions, walks })
+        Ok(Self(Stepped::new(motions)))
     }
 
     /// Index of each bad case and the number of its kind.
     fn problems<'py>(&self, py: Python<'py>) -> Problems<'py> {
-        problems(py, bad(&self.motions))
+        self.0.problems(py)
     }
 
     /// What is wrong with one case.
     fn problem(&self, index: usize) -> Option<Told> {
-        self.motions[index].as_ref().err().map(tell)
+        self.0.problem(index)
     }
 
-    /// Positions and when each motion has ended before the last of the times, NaN where it has not.
+    /// Positions, when each motion has ended before the last of the times, NaN where it has not, and why the first has.
     fn position<'py>(
         &self,
         py: Python<'py>,
         times: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<(Numbers<'py>, Numbers<'py>)> {
-        self.filled(py, &times, 3, |motion, times, row, walks, stop| {
-            motion.fill(Quantity::Position, times, row, walks, stop)
-        })
+    ) -> PyResult<(Numbers<'py>, Numbers<'py>, &'static str)> {
+        self.0.filled(py, &times, Asked::Position)
     }
 
     fn velocity<'py>(
         &self,
         py: Python<'py>,
         times: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<(Numbers<'py>, Numbers<'py>)> {
-        self.filled(py, &times, 3, |motion, times, row, walks, stop| {
-            motion.fill(Quantity::Velocity, times, row, walks, stop)
-        })
+    ) -> PyResult<(Numbers<'py>, Numbers<'py>, &'static str)> {
+        self.0.filled(py, &times, Asked::Velocity)
     }
 
     fn tension<'py>(
         &self,
         py: Python<'py>,
         times: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<(Numbers<'py>, Numbers<'py>)> {
-        self.filled(py, &times, 1, RealMotion::fill_tension)
+    ) -> PyResult<(Numbers<'py>, Numbers<'py>, &'static str)> {
+        self.0.filled(py, &times, Asked::Tension)
     }
 
-    /// Times of an event of the first motion, at most `most` of them.
-    fn events<'py>(
+    /// A stretch of the first motion in one pass; see [`Stepped::leg`].
+    fn leg<'py>(
         &self,
         py: Python<'py>,
-        kind: &str,
-        azimuth: f64,
+        times: PyReadonlyArray1<'py, f64>,
+        events: Vec<(String, f64)>,
         between: [f64; 2],
         most: usize,
-    ) -> PyResult<Numbers<'py>> {
-        let event = match kind {
-            "outer" => Event::Outer,
-            "inner" => Event::Inner,
-            "azimuth" => Event::Azimuth(azimuth),
-            "slack" => Event::Slack,
-            "taut" => Event::Taut,
-            _ => return Err(PyValueError::new_err(format!("there is no event {kind:?}"))),
-        };
-        let Some(Ok(motion)) = self.motions.first() else {
-            return Err(PyValueError::new_err("there is no motion"));
-        };
-        let signal = Signal::default();
-        let found = py.detach(|| {
-            let mut walks = lock(&self.walks[0]);
-            motion.events(event, between, most, &mut walks, &|| signal.arrived())
-        });
-        signal.raised()?;
-        Ok(found.unwrap_or_default().into_pyarray(py))
-    }
-}
-
-/// A signal, such as Ctrl-C, that Python wants to raise.
-#[derive(Default)]
-pub(crate) struct Signal(Mutex<Option<PyErr>>);
-
-impl Signal {
-    /// Only the main thread ever sees one.
-    pub(crate) fn arrived(&self) -> bool {
-        let raised = Python::attach(|py| py.check_signals()).err();
-        let arrived = raised.is_some();
-        if arrived {
-            *lock(&self.0) = raised;
-        }
-        arrived
+        within: Option<f64>,
+    ) -> PyResult<Leg<'py>> {
+        self.0.leg(py, &times, &events, between, most, within)
     }
 
-    pub(crate) fn raised(self) -> PyResult<()> {
-        lock(&self.0).take().map_or(Ok(()), Err)
-    }
-}
-
-pub(crate) fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
-}
-
-impl RealMotions {
-    fn filled<'py>(
-        &self,
-        py: Python<'py>,
-        times: &PyReadonlyArray1<'py, f64>,
-        width: usize,
-        fill: impl Fn(&RealMotion, &[f64], &mut [f64], &mut Walks, kugelpendel::Stop<'_>) -> Result<(), Halt> + Sync,
-    ) -> PyResult<(Numbers<'py>, Numbers<'py>)> {
-        let times = times.as_slice()?;
-        let signal = Signal::default();
-        let mut ends = vec![f64::NAN; self.motions.len()];
-        let size = width * times.len();
-        let row = |index: usize, row: &mut [f64], end: &mut f64| {
-            row.fill(f64::NAN);
-            let Ok(motion) = &self.motions[index] else { return };
-            let mut walks = lock(&self.walks[index]);
-            if let Err(Halt::Ended(time)) = fill(motion, times, row, &mut walks, &|| signal.arrived()) {
-                *end = time;
-            }
-        };
-        let array = new_array(py, size * self.motions.len(), |out| {
-            if size == 0 {
-                return;
-            }
-            if let [end] = &mut ends[..] {
-                return row(0, out, end);
-            }
-            let groups = out.chunks_mut(GROUP * size).zip(ends.chunks_mut(GROUP)).enumerate();
-            for (group, (out, ends)) in groups {
-                let rows = out.par_chunks_mut(size).zip(ends).enumerate();
-                in_parallel(|| rows.for_each(|(index, (out, end))| row(GROUP * group + index, out, end)));
-                if signal.arrived() {
-                    return;
-                }
-            }
-        });
-        signal.raised()?;
-        Ok((array, ends.into_pyarray(py)))
+    /// First and last time of each motion; ends are looked for over a time of its own, s, and not for ever.
+    fn spans<'py>(&self, py: Python<'py>, within: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {
+        self.0.spans(py, &within, |motion, within, walk, stop| motion.span(within, LOOKED, walk, stop))
     }
 }

@@ -14,7 +14,7 @@
 // Reading order. What is given: `given` (pendulum, launch, forces, times, and what is said of bad ones). The closed form:
 // `exact`, with the constants of a motion in its `invariants` and the functions of time in its `theta`. Many times and
 // many motions: `sampling`. The real pendulum: `taylor` integrates, `real` has its equations step by step, `envelope` their
-// average. The paper's approximations: `paper`. What a motion means: `meaning`. Underneath: `numbers`.
+// average. The paper's approximations: `paper`. What somebody reads off a motion: `meaning`. Underneath: `numbers`.
 mod envelope;
 mod exact;
 mod given;
@@ -32,21 +32,31 @@ pub use envelope::{Envelope, EnvelopeMotion, EnvelopeWalks};
 pub use exact::ensemble::Ensemble;
 pub use exact::motion::ExactMotion;
 pub use given::*;
+pub use meaning::azimuth::{nearest, unwrap, unwrap_at};
 pub use meaning::budget::{ALIKE, Cause, Pace, PrecessionBudget, STALL, Stretch, stretches};
+pub use meaning::compare::{EllipseRates, SWINGS, distances, reach, relative_error};
 pub use meaning::decay::Decay;
+pub use meaning::ellipse::Ellipse;
+pub use meaning::events::events_on_a_grid;
 pub use meaning::half_turn::{HalfTurn, critical_damping, under_damping};
+pub use meaning::measured::{MeasuredRates, PlanState, measured_rates};
+pub use meaning::olsson;
 pub use meaning::portrait::{
     EllipseForm, Equilibrium, Orbit, Portrait, Verdict, critical_amplitude, critical_anisotropy, intrinsic,
 };
 pub use meaning::push;
+pub use meaning::regime::Regime;
 pub use meaning::settled::{Settled, settle};
+pub use meaning::summary::IdealSummary;
 pub use numbers::arithmetic::fused;
 pub use paper::equations::Equation;
-pub use paper::harmonic::{HarmonicMotion, MAX_POWER, Powers};
+pub use paper::harmonic::{HarmonicLaw, HarmonicMotion, MAX_POWER, Powers};
 pub use paper::integrated::IntegratedMotion;
-pub use real::motion::{Halt, RealMotion, Stop, Walks};
+pub use real::motion::RealMotion;
 #[cfg(feature = "threads")]
 pub use sampling::threads::in_parallel;
 pub use taylor::events::Event;
+pub use taylor::step::Ending;
+pub use taylor::walk::{Halt, Passage, Readings, StateVector, Stop, Walk, steps_taken};
 
 pub use exact::spectrum::{Harmonic, Spectrum};

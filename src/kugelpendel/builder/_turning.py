@@ -6,12 +6,11 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
-from kugelpendel import _core
+from kugelpendel import _core, olsson
 from kugelpendel.builder import _measured
 from kugelpendel.builder._answer import DesignAnswer, DesignCheck, answer, how
 from kugelpendel.builder._case import Case
 from kugelpendel.motion import CAUSES
-from kugelpendel.observables import precession_rate
 from kugelpendel.parameters import Launch
 
 _DAY = 86400.0  # s
@@ -48,7 +47,7 @@ def intrinsic(case: Case) -> Iterator[DesignAnswer]:
 
 def _first(case: Case, b: float) -> float:
     """By Olsson's (25), rad/s."""
-    return float(precession_rate(case.a, b, case.length, float(case.effective.gravity)))
+    return float(olsson.precession(case.a, b, case.length, float(case.effective.gravity)))
 
 
 def _widest(case: Case) -> Iterator[DesignAnswer]:

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import warnings
-from functools import cached_property, partial
+from functools import cached_property
 from math import degrees
-from typing import Unpack
+from typing import Any, Unpack
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from kugelpendel import _core
 from kugelpendel.errors import InvalidInput, MotionEnded
 from kugelpendel.motion._budget import CAUSES, PrecessionBudget
 from kugelpendel.motion._forced import ForcedMotion
-from kugelpendel.motion._problems import Problems, Reasons
+from kugelpendel.motion._kept import kept
 from kugelpendel.motion._times import checked_grid, checked_times
 from kugelpendel.parameters import ForceParts, Forces, Launch, Numbers, Pendulum
 
@@ -91,22 +91,21 @@ class EnvelopeMotion(ForcedMotion):
         self._give(pendulum, launch, forces, parts)
         self._exact = bool(exact)
         self._motions = _core.EnvelopeMotions(*self._columns, self._exact)
-        if self.shape == () and (problem := self._motions.problem(0)):
-            raise InvalidInput.told(problem)
+        self._refuse_bad()
         name, strength = self._strongest
         if strength > _WARN:
             warnings.warn(self._caution(name, strength), stacklevel=2)
 
-    def __reduce__(self) -> tuple[object, ...]:
-        again = partial(EnvelopeMotion, exact=self._exact)
-        return (again, (self.pendulum, self.launch, self.forces))
+    def _arguments(self) -> dict[str, Any]:
+        other = {} if self._exact else {"exact": False}
+        return {**super()._arguments(), **other}
 
     @property
     def exact(self) -> bool:
         """Whether ω and Ω are those of the closed form."""
         return self._exact
 
-    @cached_property
+    @kept
     def span(self) -> tuple[float, float]:
         """First and last time, s, for which all motions of the ensemble can be asked.
 
@@ -118,21 +117,6 @@ class EnvelopeMotion(ForcedMotion):
         first = float(spans[:, 0].max(initial=-np.inf))
         last = float(spans[:, 1].min(initial=np.inf))
         return (max(first, 0.0) if self.drive is not None else first, last)
-
-    @cached_property
-    def problems(self) -> Problems:
-        """Index and sentence of each bad case of the ensemble; empty where all are good."""
-        return Problems(self._motions, self.shape)
-
-    @property
-    def status(self) -> NDArray[np.uint8]:
-        """0 for a good case, else the number of the kind of its problem: shape `shape`."""
-        return self.problems.status
-
-    @property
-    def reason(self) -> Reasons:
-        """Why a case of the ensemble is bad, "" where it is good: shape `shape`."""
-        return self.problems.reasons
 
     @cached_property
     def _strongest(self) -> tuple[str, float]:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from functools import cached_property
-from math import prod
+from typing import Any
 
 import numpy as np
 
+from kugelpendel.motion._base import Motion
+from kugelpendel.motion._kept import kept
 from kugelpendel.parameters import (
     Bob,
     Drag,
@@ -26,7 +27,7 @@ from kugelpendel.parameters import (
 )
 
 
-class ForcedMotion:
+class ForcedMotion(Motion):
     """A pendulum under the forces that act on it."""
 
     _pendulum: Pendulum
@@ -87,7 +88,7 @@ class ForcedMotion:
         """None for a free pendulum."""
         return self._forces.drive
 
-    @cached_property
+    @kept
     def effective_pendulum(self) -> Pendulum:
         """The point mass that moves like this bob."""
         return self._forces.effective_pendulum(self._pendulum)
@@ -103,9 +104,30 @@ class ForcedMotion:
         return self._shape
 
     @property
-    def _count(self) -> int:
-        """How many motions there are."""
-        return prod(self._shape)
+    def rotation(self) -> Scalars:
+        """Rate of the ground about the vertical, rad/s, counter-clockwise seen from above."""
+        return 0.0 if self.site is None else self.site.vertical_rotation
+
+    @property
+    def frequency(self) -> Scalars:
+        """There is none that stays: forces change it. Raises AttributeError with the way out."""
+        raise AttributeError(self._changes("frequency"))
+
+    @property
+    def precession(self) -> Scalars:
+        """There is none that stays: forces change it. Raises AttributeError with the way out."""
+        raise AttributeError(self._changes("precession"))
+
+    def _changes(self, rate: str) -> str:
+        return (
+            f"{type(self).__name__} has no {rate} that stays: forces change it under way. Ask for "
+            f"the times of its turning points, events('outer', …), for kp.ellipse(motion, t), or "
+            f"for EnvelopeMotion.rates(t)."
+        )
+
+    def _arguments(self) -> dict[str, Any]:
+        acting = {"forces": self._forces} if self._forces.parts else {}
+        return {"pendulum": self._pendulum, "launch": self._launch, **acting}
 
     @property
     def _columns(

@@ -1,21 +1,17 @@
 from ._compared import compared as compared
-from ._constants import Constants as Constants
 from ._day import day as day
 from ._design import design as design
 from ._overview import overview as overview
 from ._overview import save as save
 from ._portrait import portrait as portrait
-from ._turning import turning_rate as turning_rate
 from ._validity import validity as validity
 
 __all__ = [
-    "Constants",
     "compared",
     "day",
     "design",
     "overview",
     "portrait",
     "save",
-    "turning_rate",
     "validity",
 ]

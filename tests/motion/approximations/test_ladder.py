@@ -97,7 +97,7 @@ class TestEnsembles:
 
 @pytest.mark.parametrize("make", FIGURES)
 def test_a_figure_that_rises_above_the_support_is_refused(make: Make) -> None:
-    with pytest.raises(kp.InvalidInput, match=r"rises to 1\.32\d+ m .* length is 1\.0 m"):
+    with pytest.raises(kp.InvalidInput, match=r"rises to 1\.32\d+ m .* length is 1 m"):
         make(kp.Pendulum(1.0), kp.Launch.plane(0.3, 0.2, 0.5, 5.0))
 
 
@@ -105,9 +105,9 @@ def test_linear_and_olsson_have_the_paper_s_rates() -> None:
     launch = kp.Launch.apsides(0.2, -0.1)
     linear, olsson = (m(PENDULUM, launch) for m in (kp.LinearMotion, kp.OlssonMotion))
     assert (linear.frequency, linear.precession) == (PENDULUM.angular_frequency, 0.0)
-    expected = kp.precession_rate(0.2, -0.1, 1.3, 9.81)
+    expected = kp.olsson.precession(0.2, -0.1, 1.3, 9.81)
     assert olsson.precession == pytest.approx(expected, rel=1e-14)
-    assert olsson.frequency == pytest.approx(kp.swing_frequency(0.2, 0.1, 1.3, 9.81), rel=1e-14)
+    assert olsson.frequency == pytest.approx(kp.olsson.frequency(0.2, 0.1, 1.3, 9.81), rel=1e-14)
 
 
 def test_olsson_is_the_ansatz() -> None:

@@ -8,7 +8,8 @@ use super::equations::{AveragedEquations, CAUSES, Circles};
 use super::{Envelope, EnvelopeMotion, EnvelopeWalks};
 use crate::given::forces::Thread;
 use crate::given::times::Quantity;
-use crate::real::motion::{Halt, RealMotion, Stop, Walks};
+use crate::real::motion::RealMotion;
+use crate::taylor::walk::{Halt, Readings, Stop, Walk};
 use std::f64::consts::TAU;
 
 /// Of each force's strength ε, in the order of [`EnvelopeMotion::strengths`]: what wavers, in ε; what grows with time like
@@ -64,19 +65,20 @@ impl EnvelopeMotion {
         let Ok(full) = RealMotion::new(self.pendulum, launch, forces, drive, Thread::Rod, 0.0) else {
             return Ok(f64::NAN);
         };
-        let (mut walks, mut real_walks) = (EnvelopeWalks::default(), Walks::default());
+        let (mut walks, mut walk) = (EnvelopeWalks::default(), Walk::new(2));
         let mut largest = 0.0_f64;
         for k in 0..=POINTS * swings {
             let time = [f64::from(k) / f64::from(POINTS) * TAU / self.omega0];
             let ([mut mean, mut real], mut radii) = ([[0.0; 3]; 2], [0.0; 2]);
             let point = Envelope::Point(Quantity::Position);
+            let mut readings = Readings { times: &time, position: &mut real, ..Readings::default() };
             let found = self
                 .fill(point, &time, &mut mean, &mut walks, stop)
                 .and_then(|()| self.fill(Envelope::SemiAxes, &time, &mut radii, &mut walks, stop))
-                .and_then(|()| full.fill(Quantity::Position, &time, &mut real, &mut real_walks, stop));
+                .and_then(|()| full.read(&mut readings, &mut walk, stop));
             match found {
                 Err(Halt::Interrupted) => return Err(Halt::Interrupted),
-                Err(Halt::Ended(_)) => break,
+                Err(Halt::Ended(..)) => break,
                 Ok(()) => {}
             }
             let apart = mean.iter().zip(real).map(|(mean, real)| (mean - real).powi(2)).sum::<f64>().sqrt();

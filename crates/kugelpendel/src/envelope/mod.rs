@@ -21,10 +21,10 @@ use crate::given::invalid::{Invalid, Seen, require};
 use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;
 use crate::given::times::{Quantity, Times, both_ways};
-use crate::real::motion::{Halt, Stop};
+use crate::taylor::step::Ending;
+use crate::taylor::walk::{Halt, Stop};
 use equations::{AveragedEquations, Circles};
 use num_complex::Complex64;
-use std::f64::consts::{FRAC_PI_2, PI};
 use stepper::{AveragedStepper, Moment};
 use swing::Swing;
 
@@ -238,7 +238,7 @@ impl EnvelopeMotion {
             let walk = slot.get_or_insert_with(fresh);
             while !walk.reaches(time) {
                 if walk.ended {
-                    return Err(Halt::Ended(walk.until() / self.omega0));
+                    return Err(Halt::Ended(walk.until() / self.omega0, Ending::Level));
                 }
                 walk.advance(&self.equations);
                 if is_unwanted() {
@@ -380,7 +380,7 @@ fn mean(pendulum: &Pendulum, equations: &AveragedEquations, [x, y]: [f64; 2], ve
     Some(Moment::of(actions.map(|action| action.max(0.0).sqrt()), angles))
 }
 
-/// Of the ideal motion.
+/// The ideal motion with this position and velocity; none where it rises to the support.
 fn osculating(
     pendulum: &Pendulum,
     equations: &AveragedEquations,
@@ -388,19 +388,14 @@ fn osculating(
     [vx, vy]: [f64; 2],
 ) -> Option<Moment> {
     let motion = ExactMotion::new(*pendulum, Launch::Plane { x, y, vx, vy }).ok()?;
-    let [a, b] = motion.turning_radii().map(|radius| radius / pendulum.length);
-    if motion.turning_heights()[0] >= pendulum.length || a > LARGEST {
+    let ellipse = motion.ellipse();
+    let [a, b] = [ellipse.a, ellipse.b].map(|radius| radius / pendulum.length);
+    if motion.rises_above() || a > LARGEST {
         return None;
     }
-    let time = motion.apsis_time();
-    let mut phase = -motion.frequency() * time;
-    let mut azimuth = motion.apsis_azimuth() - motion.precession() * time;
-    if phase < -FRAC_PI_2 {
-        (phase, azimuth) = (phase + PI, azimuth - PI);
-    }
-    let mut sizes = equations.amplitudes([a, b]);
-    if motion.angular_momentum() < 0.0 {
+    let mut sizes = equations.amplitudes([a, b.abs()]);
+    if b < 0.0 {
         sizes.reverse();
     }
-    Some(Moment::of(sizes, [azimuth + phase, azimuth - phase]))
+    Some(Moment::of(sizes, [ellipse.azimuth + ellipse.phase, ellipse.azimuth - ellipse.phase]))
 }

@@ -7,21 +7,45 @@
 
 use crate::exact::chart::Chart;
 use crate::exact::motion::ExactMotion;
-use crate::exact::phase::Clock;
-use crate::exact::plan::Plan;
-use crate::exact::theta::blocks::{Scale, seen_from_outside, series};
+use crate::exact::phase::Phase;
+use crate::exact::theta::blocks::{Scale, fill_theta, seen_from_outside};
 use crate::exact::theta::shape::Shape;
 use crate::given::times::{Quantity, Times};
 use crate::numbers::arithmetic::{Arithmetic, dispatch};
 use crate::numbers::double_double::{Pair, two_sum};
 use crate::numbers::turns;
+use crate::sampling::blocks::{Rotations, rotations};
 #[cfg(feature = "threads")]
 use crate::sampling::threads::in_parallel;
 use std::f64::consts::TAU;
 
 /// Times that one thread takes at once; smaller requests stay on the caller's thread.
 #[cfg(feature = "threads")]
-const TASK: usize = 64 * crate::sampling::rotations::BLOCK;
+const TASK: usize = 64 * crate::sampling::blocks::TIMES_PER_BLOCK;
+
+/// Everything about a request that is the same for every time.
+pub(crate) struct Plan {
+    pub(crate) chart: Chart,
+    pub(crate) phase: Phase,
+    pub(crate) length: f64,
+    /// Turns of the frame at t = 0.
+    pub(crate) turn: f64,
+    pub(crate) rotations: Option<Box<Rotations>>,
+}
+
+impl Plan {
+    pub(crate) fn new(motion: &ExactMotion, times: &Times<'_>) -> Self {
+        let phase = motion.phase();
+        let (chart, turn) = motion.chart(&phase);
+        let rotations = match (times, phase, &chart) {
+            (Times::Grid { step, .. }, Phase::Periodic { swings, frame, .. }, Chart::Trigonometric(_)) => {
+                Some(rotations(*step, swings, frame))
+            }
+            _ => None,
+        };
+        Self { chart, phase, length: motion.pendulum.length, turn, rotations }
+    }
+}
 
 impl ExactMotion {
     /// Fills `out`, three numbers to a time.
@@ -32,8 +56,7 @@ impl ExactMotion {
         if let Times::Scattered(times) = times {
             assert_eq!(3 * times.len(), out.len(), "three numbers to a time");
         }
-        let plan = Plan::new(self, &times);
-        in_tasks(times, out, |times, out| fill_part(&plan, quantity, times, out));
+        Plan::new(self, &times).fill(quantity, times, out);
     }
 }
 
@@ -55,7 +78,7 @@ dispatch! {
 #[inline(always)]
 pub(crate) fn fill_part_with<A: Arithmetic>(_: A, plan: &Plan, quantity: Quantity, times: Times<'_>, out: &mut [f64]) {
     match &plan.chart {
-        Chart::Trigonometric(chart) => series::<A>(plan, chart, quantity, times, out),
+        Chart::Trigonometric(chart) => fill_theta::<A>(plan, chart, quantity, times, out),
         Chart::Hyperbolic(_) | Chart::Still(_) => {
             for (index, triple) in out.chunks_exact_mut(3).enumerate() {
                 triple.copy_from_slice(&plan.point::<A>(quantity, times.at::<A>(index)));
@@ -65,33 +88,39 @@ pub(crate) fn fill_part_with<A: Arithmetic>(_: A, plan: &Plan, quantity: Quantit
 }
 
 impl Plan {
+    /// Fills `out`, three numbers to a time.
+    pub(crate) fn fill(&self, quantity: Quantity, times: Times<'_>, out: &mut [f64]) {
+        in_tasks(times, out, |times, out| fill_part(self, quantity, times, out));
+    }
+
     /// One time, for the charts that are not vectorised.
     #[inline(always)]
     fn point<A: Arithmetic>(&self, quantity: Quantity, time: Pair) -> [f64; 3] {
-        let (shape, direction, swing, frame) = match (&self.chart, self.clock) {
-            (Chart::Hyperbolic(chart), Clock::Periodic { swings, frame, start }) => {
+        let (shape, direction, swing, frame) = match (&self.chart, self.phase) {
+            (Chart::Hyperbolic(chart), Phase::Periodic { swings, frame, start }) => {
                 let (whole, rest) = turns::fraction::<A>(swings, time);
                 let (sum, error) = two_sum(whole, start.hi);
                 let small = rest + (error + start.lo);
                 let crossed = A::round(sum + small);
                 let fraction = (sum - crossed) + small;
                 // Of the swings completed only oddness counts: each turns the frame by half a turn more.
-                let completed = A::round(time.hi * swings.hi) + crossed;
-                let odd = 0.5 * completed.rem_euclid(2.0);
+                // They are counted in two parts, since beyond 2^53 the sum of the two would be rounded to an even number.
+                let whole_swings = A::round(time.hi * swings.hi);
+                let odd = 0.5 * (whole_swings.rem_euclid(2.0) + crossed.rem_euclid(2.0)).rem_euclid(2.0);
                 let twist = chart.twist();
                 let (whole, rest) = turns::fraction::<A>(frame, time);
                 let direction = turns::cos_sin::<A>(whole, rest + (self.turn + twist * fraction) + odd);
                 let turning = TAU * (frame.hi + twist * swings.hi);
                 (chart.at(chart.span * fraction), direction, chart.span * swings.hi, turning)
             }
-            (Chart::Hyperbolic(chart), Clock::Once { rate, start }) => {
+            (Chart::Hyperbolic(chart), Phase::Once { rate, start }) => {
                 let direction = turns::cos_sin::<A>(self.turn, 0.0);
                 (chart.at(A::mul_add(rate, time.hi, start)), direction, rate, 0.0)
             }
             (Chart::Still([x, y, height]), _) => {
                 (Shape { x: *x, y: *y, height: *height, unit: 1.0, ..Shape::default() }, [1.0, 0.0], 0.0, 0.0)
             }
-            (chart, clock) => unreachable!("{clock:?} does not go with {chart:?}"),
+            (chart, phase) => unreachable!("{phase:?} does not go with {chart:?}"),
         };
         let scale = Scale { length: self.length, swing, frame };
         match quantity {

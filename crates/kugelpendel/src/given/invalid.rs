@@ -121,6 +121,10 @@ kinds! {
     60 TooStrong "too_strong" { value: Seen = "", share: f64 = "", frequency: f64 = "rad/s", most: f64 = "" }
     /// The averaged motion does not rise to the support.
     61 RisesToSupport "rises_to_support" { height: f64 = "m", length: f64 = "m" }
+    /// The approximation holds below the support, and the path rises above it.
+    70 AboveSupport "above_support" { height: f64 = "m", length: f64 = "m" }
+    /// The equation in the plan view holds on the lower half of the sphere, and the launch lies above it.
+    71 StartsAbove "starts_above" { above: f64 = "m" }
 }
 
 impl fmt::Display for Invalid {

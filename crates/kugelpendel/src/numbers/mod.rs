@@ -7,4 +7,5 @@ pub(crate) mod dual;
 pub(crate) mod elliptic;
 pub(crate) mod landen;
 pub(crate) mod polynomial;
+pub(crate) mod roots;
 pub(crate) mod turns;

@@ -1,148 +1,117 @@
 //! A motion by one of the paper's equations in the plan view, integrated.
 
+use crate::given::invalid::{Invalid, require};
+use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;
-use crate::given::times::{Quantity, both_ways};
 use crate::numbers::arithmetic::{Arithmetic, dispatch};
+use crate::numbers::double_double::Pair;
 use crate::paper::equations::Equation;
+use crate::real::motion::launch_point;
 use crate::taylor::events::{Guard, first};
-use crate::taylor::series::{FINEST, Law, Point, Series};
+use crate::taylor::series::{FINEST, Point, VectorField};
+use crate::taylor::step::{Checkpoint, Ending, Step, point_at};
+use crate::taylor::walk::{Halt, Readings, StateVector, Stepper, Stop, Walk, find_end, read};
 
-/// From where, and by which law; every request is integrated afresh from t = 0, so nothing is kept.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A pendulum that moves by an equation in the plan view, from its launch.
+#[derive(Clone, Copy, Debug)]
 pub struct IntegratedMotion {
-    /// What swings.
-    pub pendulum: Pendulum,
-    /// By which law.
-    pub equation: Equation,
-    /// x, y in m and vx, vy in m/s, on the lower half.
-    pub launch: [f64; 4],
+    pendulum: Pendulum,
+    equation: Equation,
+    omega0: Pair,
+    launch: Point,
 }
 
 impl IntegratedMotion {
-    /// Fills `out`, three numbers to a time; beyond an end it is left as it was.
+    /// # Errors
+    /// A pendulum or launch that makes no sense, and a launch on the upper half of the sphere.
+    pub fn new(pendulum: Pendulum, equation: Equation, launch: Launch) -> Result<Self, Invalid> {
+        let (mut launch, omega0) = launch_point(pendulum, launch)?;
+        let z = launch.position[2];
+        let above = -z * pendulum.length;
+        require(z > 0.0, || Invalid::StartsAbove { above })?;
+        (launch.position[2], launch.velocity[2]) = (0.0, 0.0);
+        Ok(Self { pendulum, equation, omega0, launch })
+    }
+
+    /// Reads what is asked, in one pass over the steps of the integration.
     ///
     /// # Errors
-    /// The time in s at which the bob reaches the support's level, where both laws end.
+    /// What halted it; an end of the motion is none where only events are asked for.
     ///
     /// # Panics
-    /// If times and `out` do not have the same count.
-    pub fn fill(&self, quantity: Quantity, times: &[f64], out: &mut [f64]) -> Result<(), f64> {
-        assert_eq!(3 * times.len(), out.len(), "three numbers to a time");
-        both_ways(times, |side, order| self.sweep([1.0, -1.0][side], order, quantity, times, out))
+    /// If times and slices do not have the same count.
+    pub fn read(&self, readings: &mut Readings<'_>, walk: &mut Walk, stop: Stop<'_>) -> Result<(), Halt> {
+        read(self, readings, walk, stop)
     }
 
-    /// The times in s between which the motion holds, given that it meets the support's level within `period`.
-    pub fn span(&self, period: f64) -> [f64; 2] {
-        [-1.0, 1.0].map(|direction| {
-            let mut step = self.start(direction);
-            loop {
-                if !next(&mut step) {
-                    return step.start / self.pendulum.angular_frequency();
-                }
-                if step.start.abs() > period * self.pendulum.angular_frequency() {
-                    return direction * f64::INFINITY;
-                }
-            }
-        })
-    }
-
-    /// Before the first step.
-    fn start(&self, direction: f64) -> Step {
-        let (length, omega0) = (self.pendulum.length, self.pendulum.angular_frequency());
-        let [x, y, vx, vy] = self.launch;
-        let speed = length * omega0;
-        let next = Point { place: [x / length, y / length, 0.0, 0.0], rate: [vx / speed, vy / speed, 0.0, 0.0] };
-        Step { equation: self.equation, direction, start: 0.0, size: 0.0, series: Series::ZERO, next, last: false }
-    }
-
-    fn sweep(
-        &self,
-        direction: f64,
-        order: &mut dyn Iterator<Item = usize>,
-        quantity: Quantity,
-        times: &[f64],
-        out: &mut [f64],
-    ) -> Result<(), f64> {
-        let omega0 = self.pendulum.angular_frequency();
-        let mut step = self.start(direction);
-        if !next(&mut step) {
-            return Err(0.0);
-        }
-        for index in order {
-            let time = times[index] * omega0;
-            while (time - step.start).abs() > step.size.abs() {
-                let end = step.start + step.size;
-                // The end itself, after its conversion to seconds and back, still belongs to the last step.
-                if step.last && (time - end).abs() <= 1e-15 * end.abs() {
-                    break;
-                }
-                if !next(&mut step) {
-                    return Err(step.start / omega0);
-                }
-            }
-            out[3 * index..3 * index + 3].copy_from_slice(&self.point(quantity, at(&step, time)));
-        }
-        Ok(())
-    }
-
-    fn point(&self, quantity: Quantity, Point { place: [x, y, _, _], rate: [vx, vy, _, _] }: Point) -> [f64; 3] {
-        let length = self.pendulum.length;
-        let depth = (1.0 - x * x - y * y).sqrt();
-        match quantity {
-            Quantity::Position => [x, y, depth].map(|v| v * length),
-            Quantity::Velocity => {
-                let speed = length * self.pendulum.angular_frequency();
-                [vx, vy, -(x * vx + y * vy) / depth].map(|v| v * speed)
-            }
-        }
+    /// The times in s between which the motion holds, given that it meets the support's level within `period`, in s.
+    ///
+    /// # Errors
+    /// An interruption.
+    pub fn span(&self, period: f64, walk: &mut Walk, stop: Stop<'_>) -> Result<[f64; 2], Halt> {
+        let within = period * self.omega0.hi;
+        let over = |step: &Step| step.start.time.hi.abs() > within;
+        let mut end = |forwards| Ok(find_end(self, forwards, walk, stop, over)?.map(|(time, _)| time));
+        let (last, first) = (end(true)?, end(false)?);
+        Ok([first.unwrap_or(f64::NEG_INFINITY), last.unwrap_or(f64::INFINITY)])
     }
 }
 
-/// A step, and how it goes on.
-struct Step {
-    equation: Equation,
-    direction: f64,
-    /// In 1/ω0.
-    start: f64,
-    size: f64,
-    series: Series,
-    next: Point,
-    /// Ends at the support's level.
-    last: bool,
+impl Stepper for IntegratedMotion {
+    fn launch(&self) -> Checkpoint {
+        Checkpoint::launch(self.launch)
+    }
+
+    fn advance(&self, direction: f64, step: &mut Step) {
+        advance(self.equation, direction, step);
+    }
+
+    fn state(&self, step: &Step, since: f64) -> StateVector {
+        let Point { position: [x, y, _, _], velocity: [vx, vy, _, _] } = point_at(step, since);
+        let length = self.pendulum.length;
+        let speed = length * self.omega0.hi;
+        let depth = (1.0 - x * x - y * y).sqrt();
+        StateVector {
+            position: [x, y, depth].map(|value| value * length),
+            velocity: [vx, vy, -(x * vx + y * vy) / depth].map(|value| value * speed),
+        }
+    }
+
+    fn pull(&self, step: &Step, since: f64) -> f64 {
+        self.pendulum.mass * self.pendulum.gravity * self.equation.pull(&point_at(step, since))
+    }
+
+    fn omega0(&self) -> Pair {
+        self.omega0
+    }
+
+    fn length(&self) -> f64 {
+        self.pendulum.length
+    }
 }
 
 dispatch! {
-    /// The next step; `false` where there is none.
-    fn next(step: &mut Step) -> bool = next_with
+    fn advance(equation: Equation, direction: f64, step: &mut Step) = advance_with
 }
 
 #[inline(always)]
-fn next_with<A: Arithmetic>(_: A, step: &mut Step) -> bool {
-    step.start += step.size;
-    step.size = 0.0;
-    if step.last || !step.equation.holds(&step.next) {
-        return false;
+fn advance_with<A: Arithmetic>(_: A, equation: Equation, direction: f64, step: &mut Step) {
+    step.start = step.next;
+    step.series.start(&step.start.point);
+    if !equation.holds(&step.start.point) {
+        (step.size, step.ending) = (0.0, Some(Ending::Level));
+        return;
     }
-    step.series.start(&step.next);
-    Law::<A>::continue_series(&step.equation, &mut step.series);
-    let Step { series, .. } = &*step;
-    let mut size = step.direction * series.reach(FINEST);
+    let series = &mut step.series;
+    VectorField::<A>::continue_series(&equation, series);
+    let mut size = direction * series.reach(FINEST);
+    step.ending = None;
     // The motion itself goes on smoothly through the support's level, so a step may reach across it.
-    if !series.guard_holds(size) {
-        let end = first::<A>(&Guard(series), size, false);
-        step.last = end.is_some();
-        size = end.unwrap_or(size);
+    if !series.guard_holds(size)
+        && let Some(end) = first::<A>(&Guard(series), size, false)
+    {
+        (size, step.ending) = (end, Some(Ending::Level));
     }
     step.size = size;
-    step.next = step.series.at::<A>(size);
-    true
-}
-
-dispatch! {
-    fn at(step: &Step, time: f64) -> Point = at_with
-}
-
-#[inline(always)]
-fn at_with<A: Arithmetic>(_: A, step: &Step, time: f64) -> Point {
-    step.series.at::<A>(time - step.start)
+    step.next = step.start.after::<A>(size, series.at::<A>(size));
 }

@@ -1,5 +1,6 @@
 //! The real pendulum: the full equations, step by step.
 
 pub(crate) mod motion;
+pub(crate) mod problem;
 pub(crate) mod sphere;
-pub(crate) mod walk;
+pub(crate) mod step;

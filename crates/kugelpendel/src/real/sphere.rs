@@ -5,9 +5,10 @@
 
 use crate::given::forces::Forces;
 use crate::numbers::arithmetic::{Arithmetic, horner};
-use crate::taylor::events::{Quickening, first};
+use crate::taylor::events::{SpeedSquaredRate, first};
 use crate::taylor::series::{
-    Coefficients, Law, ORDER, RECIPROCALS, Series, Vector, Vectors, dot, inner_terms, product, square, total,
+    Coefficients, ORDER, Point, RECIPROCALS, Series, Vector, VectorField, Vectors, dot, inner_terms, product, square,
+    total,
 };
 
 /// Speeds, in lω0, that quadratic drag does not tell from rest: |v| has no series at v = 0, √(v² + s²) has, and the
@@ -24,8 +25,8 @@ const AT_ONCE: f64 = 1e-6;
 /// Where a step has to end for quadratic drag: where the bob is slowest. In a plane swing the series of |v| goes on
 /// through zero as that of v, below zero.
 #[inline(always)]
-pub(crate) fn turning_point<A: Arithmetic>(series: &Series, size: f64) -> Option<f64> {
-    let at = first::<A>(&Quickening(series, size.signum()), size, true)?;
+pub(crate) fn slowest_point<A: Arithmetic>(series: &Series, size: f64) -> Option<f64> {
+    let at = first::<A>(&SpeedSquaredRate(series, size.signum()), size, true)?;
     let slowest = horner::<A, _>(&series.speed_squared, ORDER, at);
     (at.abs() > AT_ONCE && slowest < SLOW * SLOW * series.speed_squared[0])
         .then_some(at + 0.5 * AT_ONCE * size.signum())
@@ -33,7 +34,7 @@ pub(crate) fn turning_point<A: Arithmetic>(series: &Series, size: f64) -> Option
 
 /// The forces without dimensions, as matrices on r and v.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Sphere {
+pub(crate) struct SphereField {
     /// 2γ.
     damping: f64,
     /// c·l.
@@ -45,10 +46,10 @@ pub(crate) struct Sphere {
     /// Twice the horizontal rotation.
     horizontal: f64,
     /// Whether anything acts beside gravity and damping.
-    pub(crate) forced: bool,
+    forced: bool,
 }
 
-impl Sphere {
+impl SphereField {
     pub(crate) fn new(forces: &Forces, length: f64, omega0: f64) -> Self {
         let projector = |angle: f64| {
             let (sin, cos) = angle.sin_cos();
@@ -73,11 +74,38 @@ impl Sphere {
         }
     }
 
+    /// Continues the series of the motion from where it starts, on a taut thread or in flight.
+    #[inline(always)]
+    pub(crate) fn continue_series<A: Arithmetic>(&self, taut: bool, series: &mut Series) {
+        match (self.forced, self.quadratic != 0.0, taut) {
+            (false, false, true) => VectorField::<A>::continue_series(&Acting::<false, false, true>(self), series),
+            (true, false, true) => VectorField::<A>::continue_series(&Acting::<true, false, true>(self), series),
+            (_, true, true) => VectorField::<A>::continue_series(&Acting::<true, true, true>(self), series),
+            (_, false, false) => VectorField::<A>::continue_series(&Acting::<true, false, false>(self), series),
+            (_, true, false) => VectorField::<A>::continue_series(&Acting::<true, true, false>(self), series),
+        }
+    }
+
+    /// Whether a free pendulum can never again come near the height of the support, so that its thread stays taut: its
+    /// energy is too small, no force adds to it, and what acts sideways is weak beside gravity.
+    pub(crate) fn stays_below(&self, point: &Point) -> bool {
+        /// Of the height of the support, and of gravity.
+        const MARGIN: f64 = 0.1;
+        let Point { position: [_, _, z, _], velocity: [vx, vy, vz, _] } = *point;
+        let largest = |matrix: [[f64; 2]; 2]| matrix.as_flattened().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        // The part of the coupling that damps: Δγ, which adds energy along one axis where it is more than 2γ.
+        let [[cxx, cxy], [cyx, cyy]] = self.coupling;
+        let fading = (0.5 * (cxx - cyy)).hypot(0.5 * (cxy + cyx));
+        let sideways = largest(self.stiffness) + largest(self.coupling) + self.horizontal.abs();
+        let energy = 0.5 * (vx * vx + vy * vy + vz * vz) + (1.0 - z);
+        fading <= self.damping && sideways < MARGIN / 4.0 && energy < 1.0 - MARGIN
+    }
+
     /// All but gravity, damping and the thread.
     #[inline(always)]
-    fn sideways<A: Arithmetic>(&self, place: &Vector, rate: &Vector) -> Vector {
-        let [x, y, _, _] = *place;
-        let [vx, vy, vz, _] = *rate;
+    fn sideways<A: Arithmetic>(&self, position: &Vector, velocity: &Vector) -> Vector {
+        let [x, y, _, _] = *position;
+        let [vx, vy, vz, _] = *velocity;
         let along = |axis: usize| {
             let [sx, sy] = self.stiffness[axis];
             let [cx, cy] = self.coupling[axis];
@@ -87,54 +115,54 @@ impl Sphere {
     }
 }
 
-/// Which of the forces there are, and whether the thread holds, known to the compiler.
-pub(crate) struct Kind<'a, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool>(pub(crate) &'a Sphere);
+/// The forces, with what acts and whether the thread holds known to the compiler.
+struct Acting<'a, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool>(&'a SphereField);
 
-impl<A: Arithmetic, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool> Law<A>
-    for Kind<'_, FORCED, QUADRATIC, TAUT>
+impl<A: Arithmetic, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool> VectorField<A>
+    for Acting<'_, FORCED, QUADRATIC, TAUT>
 {
-    type Work = Work;
+    type Terms = SphereTerms;
 
     #[inline(always)]
-    fn next_order<const K: usize>(&self, series: &mut Series, work: &mut Work) {
-        let Kind(law) = self;
-        let Series { place, rate, guard, speed_squared } = series;
-        let mut force = rate[K].map(|v| -law.damping * v);
+    fn next_order<const K: usize>(&self, series: &mut Series, terms: &mut SphereTerms) {
+        let Acting(field) = self;
+        let Series { position, velocity, guard, speed_squared } = series;
+        let mut force = velocity[K].map(|v| -field.damping * v);
         if FORCED {
-            work.sideways[K] = law.sideways::<A>(&place[K], &rate[K]);
-            force = plus(force, work.sideways[K], 1.0);
+            terms.sideways[K] = field.sideways::<A>(&position[K], &velocity[K]);
+            force = plus(force, terms.sideways[K], 1.0);
         }
         if QUADRATIC {
-            let speed = &mut work.speed;
-            speed_squared[K] = square::<A, K>(rate) + if K == 0 { STILL * STILL } else { 0.0 };
+            let speed = &mut terms.speed;
+            speed_squared[K] = square::<A, K>(velocity) + if K == 0 { STILL * STILL } else { 0.0 };
             speed[K] = if K == 0 {
                 speed_squared[0].sqrt()
             } else {
                 (speed_squared[K] - inner_terms::<A, K>(speed, speed)) / (2.0 * speed[0])
             };
-            let drag = product::<A, K>(speed, rate);
-            force = plus(force, drag, -law.quadratic);
+            let drag = product::<A, K>(speed, velocity);
+            force = plus(force, drag, -field.quadratic);
         }
         if K == 0 {
             force[2] += 1.0;
         }
         if TAUT {
             // Λ_K, and with it the thread's part of the force.
-            let squared = if QUADRATIC { speed_squared[K] } else { square::<A, K>(rate) };
-            let other = if FORCED { total(&dot::<A, K>(&work.sideways, place)) } else { 0.0 };
-            guard[K] = squared + other + place[K][2];
-            let pull = product::<A, K>(guard, place);
+            let squared = if QUADRATIC { speed_squared[K] } else { square::<A, K>(velocity) };
+            let other = if FORCED { total(&dot::<A, K>(&terms.sideways, position)) } else { 0.0 };
+            guard[K] = squared + other + position[K][2];
+            let pull = product::<A, K>(guard, position);
             force = plus(force, pull, -1.0);
         }
         let share = RECIPROCALS[K + 1];
-        rate[K + 1] = force.map(|f| f * share);
-        place[K + 1] = rate[K].map(|v| v * share);
+        velocity[K + 1] = force.map(|f| f * share);
+        position[K + 1] = velocity[K].map(|v| v * share);
     }
 }
 
 /// Series that are needed on the way.
 #[derive(Default)]
-pub(crate) struct Work {
+pub(crate) struct SphereTerms {
     sideways: Vectors,
     /// |v|.
     speed: Coefficients,

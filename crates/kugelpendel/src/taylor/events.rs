@@ -1,37 +1,35 @@
-//! When something happens within a step: the zeros of a function, to the last bit.
+//! When something happens within a step: the zeros of a function of its series, to the last bit.
 
 use crate::numbers::arithmetic::Arithmetic;
+use crate::numbers::roots::{ScalarFunction, zero_between};
 use crate::taylor::series::{ORDER, Point, Series};
 
-/// What can be asked for.
+/// Something that happens to the bob at one time, and that can be asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
-    /// Farthest from the axis.
+    /// The bob is farthest from the axis.
     Outer,
-    /// Closest approach to the axis.
+    /// The bob is closest to the axis: at the lowest point of its path or, above the support, at the highest.
     Inner,
+    /// The bob is at the lowest point of its path, below the support.
+    Bottom,
     /// The bob passes this azimuth, rad, either way.
     Azimuth(f64),
+    /// The bob passes this distance from the axis, m, either way.
+    Radius(f64),
     /// The thread goes slack.
     Slack,
     /// The thread is taut again.
     Taut,
 }
 
-/// A function of the time since the step's start.
-///
-/// A trait and not a closure: what is not inlined into the dispatched function is not compiled for its processor.
-pub(crate) trait Watched<A: Arithmetic> {
-    fn value(&self, since: f64) -> f64;
-}
-
 /// ½ d(ρ²)/dt: from below zero upwards at the closest approach to the axis.
 pub(crate) struct Outward<'a>(pub(crate) &'a Series);
 
-impl<A: Arithmetic> Watched<A> for Outward<'_> {
+impl<A: Arithmetic> ScalarFunction<A> for Outward<'_> {
     #[inline(always)]
     fn value(&self, since: f64) -> f64 {
-        let Point { place: [x, y, _, _], rate: [vx, vy, _, _] } = self.0.at::<A>(since);
+        let Point { position: [x, y, _, _], velocity: [vx, vy, _, _] } = self.0.at::<A>(since);
         x * vx + y * vy
     }
 }
@@ -39,10 +37,10 @@ impl<A: Arithmetic> Watched<A> for Outward<'_> {
 /// ρ² less that of a radius.
 pub(crate) struct Beyond<'a>(pub(crate) &'a Series, pub(crate) f64);
 
-impl<A: Arithmetic> Watched<A> for Beyond<'_> {
+impl<A: Arithmetic> ScalarFunction<A> for Beyond<'_> {
     #[inline(always)]
     fn value(&self, since: f64) -> f64 {
-        let [x, y, _, _] = self.0.place_at::<A>(since);
+        let [x, y, _, _] = self.0.position_at::<A>(since);
         x * x + y * y - self.1 * self.1
     }
 }
@@ -50,10 +48,10 @@ impl<A: Arithmetic> Watched<A> for Beyond<'_> {
 /// How far to the left of the direction (cos, sin).
 pub(crate) struct Beside<'a>(pub(crate) &'a Series, pub(crate) [f64; 2]);
 
-impl<A: Arithmetic> Watched<A> for Beside<'_> {
+impl<A: Arithmetic> ScalarFunction<A> for Beside<'_> {
     #[inline(always)]
     fn value(&self, since: f64) -> f64 {
-        let [x, y, _, _] = self.0.place_at::<A>(since);
+        let [x, y, _, _] = self.0.position_at::<A>(since);
         y * self.1[0] - x * self.1[1]
     }
 }
@@ -61,10 +59,10 @@ impl<A: Arithmetic> Watched<A> for Beside<'_> {
 /// r·r − 1.
 pub(crate) struct Outside<'a>(pub(crate) &'a Series);
 
-impl<A: Arithmetic> Watched<A> for Outside<'_> {
+impl<A: Arithmetic> ScalarFunction<A> for Outside<'_> {
     #[inline(always)]
     fn value(&self, since: f64) -> f64 {
-        let [x, y, z, _] = self.0.place_at::<A>(since);
+        let [x, y, z, _] = self.0.position_at::<A>(since);
         x * x + y * y + (z - 1.0) * (z + 1.0)
     }
 }
@@ -72,7 +70,7 @@ impl<A: Arithmetic> Watched<A> for Outside<'_> {
 /// The law's guard.
 pub(crate) struct Guard<'a>(pub(crate) &'a Series);
 
-impl<A: Arithmetic> Watched<A> for Guard<'_> {
+impl<A: Arithmetic> ScalarFunction<A> for Guard<'_> {
     #[inline(always)]
     fn value(&self, since: f64) -> f64 {
         self.0.guard_at::<A>(since)
@@ -80,9 +78,9 @@ impl<A: Arithmetic> Watched<A> for Guard<'_> {
 }
 
 /// d(v²)/dt in the sense of the walk: from below zero upwards where the bob is slowest.
-pub(crate) struct Quickening<'a>(pub(crate) &'a Series, pub(crate) f64);
+pub(crate) struct SpeedSquaredRate<'a>(pub(crate) &'a Series, pub(crate) f64);
 
-impl<A: Arithmetic> Watched<A> for Quickening<'_> {
+impl<A: Arithmetic> ScalarFunction<A> for SpeedSquaredRate<'_> {
     #[inline(always)]
     fn value(&self, since: f64) -> f64 {
         let squared = &self.0.speed_squared;
@@ -108,19 +106,19 @@ impl Crossings {
 
 /// The first time at which a function passes through zero; as [`crossings`].
 #[inline(always)]
-pub(crate) fn first<A: Arithmetic>(function: &impl Watched<A>, end: f64, upwards: bool) -> Option<f64> {
+pub(crate) fn first<A: Arithmetic>(function: &impl ScalarFunction<A>, end: f64, upwards: bool) -> Option<f64> {
     at_most::<A>(function, end, upwards, 1).times().first().copied()
 }
 
 /// Upwards or downwards in the sense of the walk, which may go backwards in time; at most one in each piece of the step.
 /// A function that starts at zero passes through it there.
 #[inline(always)]
-pub(crate) fn crossings<A: Arithmetic>(function: &impl Watched<A>, end: f64, upwards: bool) -> Crossings {
+pub(crate) fn crossings<A: Arithmetic>(function: &impl ScalarFunction<A>, end: f64, upwards: bool) -> Crossings {
     at_most::<A>(function, end, upwards, PIECES)
 }
 
 #[inline(always)]
-fn at_most<A: Arithmetic>(function: &impl Watched<A>, end: f64, upwards: bool, most: usize) -> Crossings {
+fn at_most<A: Arithmetic>(function: &impl ScalarFunction<A>, end: f64, upwards: bool, most: usize) -> Crossings {
     let sign = if upwards { 1.0 } else { -1.0 };
     let mut found = Crossings::default();
     let (mut before, mut below) = (0.0, sign * function.value(0.0));
@@ -129,7 +127,7 @@ fn at_most<A: Arithmetic>(function: &impl Watched<A>, end: f64, upwards: bool, m
         let above = sign * function.value(after);
         if below <= 0.0 && above > 0.0 {
             found.times[found.count] =
-                if below == 0.0 { before } else { between::<A>(function, sign, [before, after], [below, above]) };
+                if below == 0.0 { before } else { zero_between::<A>(function, sign, [before, after], [below, above]) };
             found.count += 1;
             if found.count == most {
                 break;
@@ -138,36 +136,4 @@ fn at_most<A: Arithmetic>(function: &impl Watched<A>, end: f64, upwards: bool, m
         (before, below) = (after, above);
     }
     found
-}
-
-/// The zero between two times, by the secant, halved where an end stays (the Illinois rule).
-#[inline(always)]
-fn between<A: Arithmetic>(function: &impl Watched<A>, sign: f64, times: [f64; 2], values: [f64; 2]) -> f64 {
-    let ([mut below, mut above], [mut low, mut high]) = (times, values);
-    let mut side = 0;
-    for _ in 0..100 {
-        let time = (below * high - above * low) / (high - low);
-        let inside = time > below.min(above) && time < below.max(above);
-        if !inside {
-            break;
-        }
-        let found = sign * function.value(time);
-        if found == 0.0 {
-            return time;
-        }
-        if found < 0.0 {
-            (below, low) = (time, found);
-            if side == -1 {
-                high *= 0.5;
-            }
-            side = -1;
-        } else {
-            (above, high) = (time, found);
-            if side == 1 {
-                low *= 0.5;
-            }
-            side = 1;
-        }
-    }
-    if low.abs() < high.abs() { below } else { above }
 }

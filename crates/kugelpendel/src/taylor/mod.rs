@@ -1,4 +1,6 @@
-//! Integration by Taylor series, and the zeros of functions of a step.
+//! Integration by Taylor series: a step, the events within it, and the walk from step to step.
 
 pub(crate) mod events;
 pub(crate) mod series;
+pub(crate) mod step;
+pub(crate) mod walk;

@@ -35,15 +35,15 @@ pub(crate) const RECIPROCALS: Coefficients = {
 /// Where the bob is, and how fast.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Point {
-    pub(crate) place: Vector,
-    pub(crate) rate: Vector,
+    pub(crate) position: Vector,
+    pub(crate) velocity: Vector,
 }
 
 /// The motion over a step, as polynomials in the time since its start.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Series {
-    pub(crate) place: Vectors,
-    pub(crate) rate: Vectors,
+    pub(crate) position: Vectors,
+    pub(crate) velocity: Vectors,
     /// A function that reaches zero where the law ends.
     pub(crate) guard: Coefficients,
     /// v², where the law needs it.
@@ -51,22 +51,22 @@ pub(crate) struct Series {
 }
 
 /// r̈ as a function of r and ṙ, without dimensions: lengths in l, times in 1/ω0.
-pub(crate) trait Law<A: Arithmetic> {
+pub(crate) trait VectorField<A: Arithmetic> {
     /// Series that are needed on the way.
-    type Work: Default;
+    type Terms: Default;
 
-    /// From the K-th coefficients of place and rate to those after.
-    fn next_order<const K: usize>(&self, series: &mut Series, work: &mut Self::Work);
+    /// From the K-th coefficients of position and velocity to those after.
+    fn next_order<const K: usize>(&self, series: &mut Series, terms: &mut Self::Terms);
 
     /// Continues the series from their first coefficients. Every order is known to the compiler, so that the loops
     /// within become straight lines.
     #[inline(always)]
     fn continue_series(&self, series: &mut Series) {
-        let work = &mut Self::Work::default();
+        let terms = &mut Self::Terms::default();
         macro_rules! orders {
             ($($order:literal)+) => {
                 const { assert!([$($order),+].len() == ORDER) }
-                $(self.next_order::<$order>(series, work);)+
+                $(self.next_order::<$order>(series, terms);)+
             };
         }
         orders!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19);
@@ -75,37 +75,37 @@ pub(crate) trait Law<A: Arithmetic> {
 
 impl Series {
     pub(crate) const ZERO: Self = Self {
-        place: [[0.0; 4]; ORDER + 1],
-        rate: [[0.0; 4]; ORDER + 1],
+        position: [[0.0; 4]; ORDER + 1],
+        velocity: [[0.0; 4]; ORDER + 1],
         guard: [0.0; ORDER + 1],
         speed_squared: [0.0; ORDER + 1],
     };
 
     #[inline(always)]
     pub(crate) fn start(&mut self, point: &Point) {
-        self.place[0] = point.place;
-        self.rate[0] = point.rate;
+        self.position[0] = point.position;
+        self.velocity[0] = point.velocity;
     }
 
     #[inline(always)]
     pub(crate) fn at<A: Arithmetic>(&self, since: f64) -> Point {
         let time = A::same(since);
-        let [mut place, mut rate] = [A::lanes(&self.place[ORDER]), A::lanes(&self.rate[ORDER])];
+        let [mut position, mut velocity] = [A::lanes(&self.position[ORDER]), A::lanes(&self.velocity[ORDER])];
         for k in (0..ORDER).rev() {
-            place = A::mul_add_lanes(place, time, A::lanes(&self.place[k]));
-            rate = A::mul_add_lanes(rate, time, A::lanes(&self.rate[k]));
+            position = A::mul_add_lanes(position, time, A::lanes(&self.position[k]));
+            velocity = A::mul_add_lanes(velocity, time, A::lanes(&self.velocity[k]));
         }
-        Point { place: A::array(place), rate: A::array(rate) }
+        Point { position: A::array(position), velocity: A::array(velocity) }
     }
 
     #[inline(always)]
-    pub(crate) fn place_at<A: Arithmetic>(&self, since: f64) -> Vector {
+    pub(crate) fn position_at<A: Arithmetic>(&self, since: f64) -> Vector {
         let time = A::same(since);
-        let mut place = A::lanes(&self.place[ORDER]);
+        let mut position = A::lanes(&self.position[ORDER]);
         for k in (0..ORDER).rev() {
-            place = A::mul_add_lanes(place, time, A::lanes(&self.place[k]));
+            position = A::mul_add_lanes(position, time, A::lanes(&self.position[k]));
         }
-        A::array(place)
+        A::array(position)
     }
 
     /// The guard's value.
@@ -126,10 +126,10 @@ impl Series {
     #[inline(always)]
     pub(crate) fn reach(&self, tolerance: f64) -> f64 {
         let largest = |vector: &Vector| vector[0].abs().max(vector[1].abs()).max(vector[2].abs());
-        let [x, y, _, _] = self.place[0];
-        let size = tolerance * largest(&self.rate[0]).max(x.abs()).max(y.abs());
-        let last = largest(&self.place[ORDER]).max(largest(&self.rate[ORDER]));
-        let before = largest(&self.place[ORDER - 1]).max(largest(&self.rate[ORDER - 1]));
+        let [x, y, _, _] = self.position[0];
+        let size = tolerance * largest(&self.velocity[0]).max(x.abs()).max(y.abs());
+        let last = largest(&self.position[ORDER]).max(largest(&self.velocity[ORDER]));
+        let before = largest(&self.position[ORDER - 1]).max(largest(&self.velocity[ORDER - 1]));
         let reach = root(size / last, ORDER).min(root(size / before, ORDER - 1));
         // At rest nothing limits the step.
         if reach.is_finite() { reach } else { 1.0 }
@@ -165,18 +165,18 @@ pub(crate) fn inner_terms<A: Arithmetic, const K: usize>(a: &Coefficients, b: &C
 }
 
 /// What a term of a product is made of: the same for all directions, or one number for each.
-trait Factor<A: Arithmetic> {
+trait TermFactor<A: Arithmetic> {
     fn lanes(&self) -> A::Lanes;
 }
 
-impl<A: Arithmetic> Factor<A> for f64 {
+impl<A: Arithmetic> TermFactor<A> for f64 {
     #[inline(always)]
     fn lanes(&self) -> A::Lanes {
         A::same(*self)
     }
 }
 
-impl<A: Arithmetic> Factor<A> for Vector {
+impl<A: Arithmetic> TermFactor<A> for Vector {
     #[inline(always)]
     fn lanes(&self) -> A::Lanes {
         A::lanes(self)
@@ -186,7 +186,7 @@ impl<A: Arithmetic> Factor<A> for Vector {
 /// Σ a_i b_{K−i} in four sums, so that one multiplication need not wait for the other; a_K comes last, since it is known
 /// last.
 #[inline(always)]
-fn sum<A: Arithmetic, F: Factor<A>, const K: usize>(a: &[F; ORDER + 1], b: &Vectors) -> Vector {
+fn sum<A: Arithmetic, F: TermFactor<A>, const K: usize>(a: &[F; ORDER + 1], b: &Vectors) -> Vector {
     let mut sums = [A::same(0.0); 4];
     for i in 0..K {
         sums[i % 4] = A::mul_add_lanes(a[i].lanes(), A::lanes(&b[K - i]), sums[i % 4]);

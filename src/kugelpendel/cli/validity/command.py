@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
+import math
 import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any, TypeAlias
-
-import numpy as np
 
 import kugelpendel as kp
 from kugelpendel.cli.job_file.kinds import LENGTH
@@ -204,15 +203,7 @@ def _shown(reach: tuple[str, float]) -> str:
 
 def _reach(errors: kp.ValidityMap, error: Scalars, level: float) -> tuple[str, float]:
     """Up to which a/l no ellipse has a larger error; with ">" or "<" beyond the map's ends."""
-    worst = np.maximum(np.abs(np.asarray(error)).max(axis=0), 1e-300)
-    beyond = np.flatnonzero(worst > level)
-    if not beyond.size:
+    reach = errors.reach(error, level)
+    if reach == math.inf:
         return ">", float(errors.a_over_l[-1])
-    k = int(beyond[0])
-    if k == 0:
-        return "<", float(errors.a_over_l[0])
-    # Errors are powers of a/l, near enough, from one point to the next.
-    low, high = (float(error) for error in np.log(worst[k - 1 : k + 1]))
-    share = (float(np.log(level)) - low) / (high - low)
-    before, after = (float(a) for a in errors.a_over_l[k - 1 : k + 1])
-    return "", before * (after / before) ** share
+    return ("", reach) if reach > 0 else ("<", float(errors.a_over_l[0]))

@@ -1,13 +1,13 @@
 //! The trigonometric chart at many times.
 
-use crate::exact::phase::Clock;
-use crate::exact::plan::Plan;
+use crate::exact::phase::Phase;
+use crate::exact::sampling::Plan;
 use crate::exact::theta::shape::{Shape, product};
 use crate::exact::theta::trigonometric::{MAX_DEGREE, Trigonometric};
 use crate::given::times::{Quantity, Times};
 use crate::numbers::arithmetic::Arithmetic;
-use crate::sampling::blocks::{Form, Hands, blocks};
-use crate::sampling::rotations::half;
+use crate::sampling::blocks::half;
+use crate::sampling::blocks::{Form, SwingAndFrame, blocks};
 use std::f64::consts::{PI, TAU};
 
 /// m, and the rates of ζ and of the frame in rad/s.
@@ -35,18 +35,18 @@ impl<A: Arithmetic, const DEGREE: usize, const ALPHA: usize, const FROM_ABOVE: b
 }
 
 #[inline(always)]
-pub(crate) fn series<A: Arithmetic>(
+pub(crate) fn fill_theta<A: Arithmetic>(
     plan: &Plan,
     chart: &Trigonometric,
     quantity: Quantity,
     times: Times<'_>,
     out: &mut [f64],
 ) {
-    let Clock::Periodic { swings, frame, start } = plan.clock else {
+    let Phase::Periodic { swings, frame, start } = plan.phase else {
         return;
     };
     let scale = Scale { length: plan.length, swing: PI * swings.hi, frame: TAU * frame.hi };
-    let hands = Hands { swing: half(swings), frame, start: [0.5 * start.hi, plan.turn] };
+    let angles = SwingAndFrame { swing: half(swings), frame, start: [0.5 * start.hi, plan.turn] };
     let table = plan.rotations.as_deref();
     macro_rules! fill {
         ($($degree:literal $alpha:literal,)+) => {
@@ -54,11 +54,11 @@ pub(crate) fn series<A: Arithmetic>(
                 $(
                     ($degree, $alpha, false) => {
                         let form = Fixed::<$degree, $alpha, false> { chart, scale };
-                        blocks::<A>(&form, &hands, table, quantity, times, out);
+                        blocks::<A>(&form, &angles, table, quantity, times, out);
                     }
                     ($degree, $alpha, true) => {
                         let form = Fixed::<$degree, $alpha, true> { chart, scale };
-                        blocks::<A>(&form, &hands, table, quantity, times, out);
+                        blocks::<A>(&form, &angles, table, quantity, times, out);
                     }
                 )+
                 degree => unreachable!("{degree:?} is not a degree from 1 to {MAX_DEGREE} and α's"),

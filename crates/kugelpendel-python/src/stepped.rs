@@ -1,0 +1,222 @@
+//! Motions that are integrated step by step, in a row: what the real ones and those by (12) and (13) have in common.
+
+use crate::columns::{Numbers, new_array};
+use crate::given::{Problems, Told, bad, problems, tell};
+use crate::meaning::event;
+use crate::signal::{Signal, lock};
+use kugelpendel::{Ending, Halt, IntegratedMotion, Invalid, Passage, Readings, RealMotion, Stop, Walk, in_parallel};
+use numpy::{IntoPyArray, PyReadonlyArray1};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use rayon::prelude::*;
+use std::sync::Mutex;
+
+/// Checkpoints of a motion that is alone, and of each of many: some 130 kB and 2 kB.
+const KEPT: [usize; 2] = [1024, 16];
+
+/// Times and states of one kind of event: n times, then 3n of position, 3n of velocity, n of tension.
+type Passages<'py> = (Numbers<'py>, Numbers<'py>, Numbers<'py>, Numbers<'py>);
+
+/// How many of the times were read, up to when, when and why the motion ended ("" for not yet), position, velocity,
+/// tension, and the events of each kind.
+pub(crate) type Leg<'py> =
+    (usize, f64, f64, &'static str, Numbers<'py>, Numbers<'py>, Numbers<'py>, Vec<Passages<'py>>);
+
+/// What a motion is asked for at many times.
+#[derive(Clone, Copy)]
+pub(crate) enum Asked {
+    Position,
+    Velocity,
+    Tension,
+}
+
+/// A motion of the core that is integrated.
+pub(crate) trait Readable: Sync {
+    fn read(&self, readings: &mut Readings<'_>, walk: &mut Walk, stop: Stop<'_>) -> Result<(), Halt>;
+}
+
+impl Readable for RealMotion {
+    fn read(&self, readings: &mut Readings<'_>, walk: &mut Walk, stop: Stop<'_>) -> Result<(), Halt> {
+        self.read(readings, walk, stop)
+    }
+}
+
+impl Readable for IntegratedMotion {
+    fn read(&self, readings: &mut Readings<'_>, walk: &mut Walk, stop: Stop<'_>) -> Result<(), Halt> {
+        self.read(readings, walk, stop)
+    }
+}
+
+/// Motions in a row, each with how far it has been integrated.
+pub(crate) struct Stepped<M> {
+    motions: Vec<Result<M, Invalid>>,
+    walks: Vec<Mutex<Walk>>,
+}
+
+impl<M: Readable> Stepped<M> {
+    pub(crate) fn new(motions: Vec<Result<M, Invalid>>) -> Self {
+        let kept = KEPT[usize::from(motions.len() > 1)];
+        let walks = motions.iter().map(|_| Mutex::new(Walk::new(kept))).collect();
+        Self { motions, walks }
+    }
+
+    /// Index of each bad case and the number of its kind.
+    pub(crate) fn problems<'py>(&self, py: Python<'py>) -> Problems<'py> {
+        problems(py, bad(&self.motions))
+    }
+
+    /// What is wrong with one case.
+    pub(crate) fn problem(&self, index: usize) -> Option<Told> {
+        self.motions[index].as_ref().err().map(tell)
+    }
+
+    /// The numbers asked for, and when each motion has ended before the last of the times, NaN where it has not; why the
+    /// first has, "" where it has not.
+    pub(crate) fn filled<'py>(
+        &self,
+        py: Python<'py>,
+        times: &PyReadonlyArray1<'py, f64>,
+        asked: Asked,
+    ) -> PyResult<(Numbers<'py>, Numbers<'py>, &'static str)> {
+        let times = times.as_slice()?;
+        let size = if matches!(asked, Asked::Tension) { times.len() } else { 3 * times.len() };
+        let mut ends = vec![f64::NAN; self.motions.len()];
+        let mut why = "";
+        let signal = Signal::default();
+        let row = |index: usize, row: &mut [f64], stop: Stop<'_>| -> Option<(f64, Ending)> {
+            row.fill(f64::NAN);
+            let motion = self.motions[index].as_ref().ok()?;
+            let mut readings = Readings { times, ..Readings::default() };
+            *match asked {
+                Asked::Position => &mut readings.position,
+                Asked::Velocity => &mut readings.velocity,
+                Asked::Tension => &mut readings.tension,
+            } = row;
+            match motion.read(&mut readings, &mut lock(&self.walks[index]), stop) {
+                Err(Halt::Ended(time, ending)) => Some((time, ending)),
+                _ => None,
+            }
+        };
+        let array = new_array(py, size * self.motions.len(), |out| {
+            if size == 0 {
+                return;
+            }
+            if let [end] = &mut ends[..] {
+                if let Some((time, ending)) = row(0, out, &|| signal.ends_work()) {
+                    (*end, why) = (time, name(ending));
+                }
+                return;
+            }
+            let rows = out.par_chunks_mut(size).zip(&mut ends).enumerate();
+            signal.watch(|| {
+                in_parallel(|| {
+                    rows.for_each(|(index, (out, end))| {
+                        if signal.has_arrived() {
+                            out.fill(f64::NAN);
+                        } else if let Some((time, _)) = row(index, out, &|| signal.has_arrived()) {
+                            *end = time;
+                        }
+                    });
+                });
+            });
+        });
+        signal.raised()?;
+        Ok((array, ends.into_pyarray(py), why))
+    }
+
+    /// A stretch of the first motion in one pass: states at ascending times, and the events of some kinds between two
+    /// times. It is over after so many seconds of work, if any are given.
+    pub(crate) fn leg<'py>(
+        &self,
+        py: Python<'py>,
+        times: &PyReadonlyArray1<'py, f64>,
+        events: &[(String, f64)],
+        between: [f64; 2],
+        most: usize,
+        within: Option<f64>,
+    ) -> PyResult<Leg<'py>> {
+        let Some(Ok(motion)) = self.motions.first() else {
+            return Err(PyValueError::new_err("there is no motion"));
+        };
+        let times = times.as_slice()?;
+        if !times.is_sorted() {
+            return Err(PyValueError::new_err("the times of a leg must be in order"));
+        }
+        let events = events.iter().map(|(kind, value)| event(kind, *value)).collect::<PyResult<Vec<_>>>()?;
+        let signal = Signal::within(within);
+        let count = times.len();
+        let (mut position, mut velocity) = (vec![f64::NAN; 3 * count], vec![f64::NAN; 3 * count]);
+        let mut tension = vec![f64::NAN; count];
+        let (halt, found, until) = py.detach(|| {
+            let mut readings = Readings {
+                times,
+                position: &mut position,
+                velocity: &mut velocity,
+                tension: &mut tension,
+                events: &events,
+                between,
+                most,
+                ..Readings::default()
+            };
+            let halt = motion.read(&mut readings, &mut lock(&self.walks[0]), &|| signal.ends_work()).err();
+            (halt, readings.found, readings.until)
+        });
+        signal.raised()?;
+        let known = lock(&self.walks[0]).ended(true).filter(|(time, _)| *time <= between[1]);
+        let (end, why) = known.map_or((f64::NAN, ""), |(time, ending)| (time, name(ending)));
+        let read = match halt {
+            None => count,
+            Some(Halt::Ended(..)) => tension.iter().position(|pull| pull.is_nan()).unwrap_or(count),
+            Some(Halt::Interrupted) => times.partition_point(|time| *time <= until),
+        };
+        let found = found.iter().map(|passages| passages_array(py, passages)).collect();
+        let [position, velocity, tension] = [position, velocity, tension].map(|values| values.into_pyarray(py));
+        Ok((read, until, end, why, position, velocity, tension, found))
+    }
+
+    /// The spans of the motions, two numbers to each, NaN for the bad ones; `within` is one time in s or one for each.
+    pub(crate) fn spans<'py>(
+        &self,
+        py: Python<'py>,
+        within: &PyReadonlyArray1<'py, f64>,
+        span: impl Fn(&M, f64, &mut Walk, Stop<'_>) -> Result<[f64; 2], Halt> + Sync,
+    ) -> PyResult<Numbers<'py>> {
+        let within = within.as_slice()?;
+        let signal = Signal::default();
+        let one = |index: usize, stop: Stop<'_>| match &self.motions[index] {
+            Ok(motion) => {
+                let within = if within.len() == 1 { within[0] } else { within[index] };
+                span(motion, within, &mut lock(&self.walks[index]), stop).unwrap_or([f64::NAN; 2])
+            }
+            Err(_) => [f64::NAN; 2],
+        };
+        let count = self.motions.len();
+        let spans: Vec<_> = py.detach(|| match count {
+            1 => one(0, &|| signal.ends_work()).to_vec(),
+            _ => signal.watch(|| {
+                in_parallel(|| {
+                    let all = (0..count).into_par_iter();
+                    all.flat_map_iter(|index| one(index, &|| signal.has_arrived())).collect()
+                })
+            }),
+        });
+        signal.raised()?;
+        Ok(spans.into_pyarray(py))
+    }
+}
+
+fn name(ending: Ending) -> &'static str {
+    match ending {
+        Ending::Slack => "slack",
+        Ending::Level => "level",
+        Ending::Runaway => "runaway",
+    }
+}
+
+fn passages_array<'py>(py: Python<'py>, passages: &[Passage]) -> Passages<'py> {
+    let times: Vec<_> = passages.iter().map(|passage| passage.time).collect();
+    let position: Vec<_> = passages.iter().flat_map(|passage| passage.state.position).collect();
+    let velocity: Vec<_> = passages.iter().flat_map(|passage| passage.state.velocity).collect();
+    let tension: Vec<_> = passages.iter().map(|passage| passage.tension).collect();
+    (times.into_pyarray(py), position.into_pyarray(py), velocity.into_pyarray(py), tension.into_pyarray(py))
+}
