@@ -51,8 +51,8 @@ def process_fault(command: str, data: bytes, encoding: str) -> str | None:
             process.send_signal(signal.SIGINT)
             printed, said = process.communicate(timeout=10)
             return None if said.strip() else "nothing said for a minute"
-        texts = (text.decode(encoding, errors="replace") for text in (printed, said))
-        return verdict(process.returncode, *texts, out)
+        shown, told = (text.decode(encoding, errors="replace") for text in (printed, said))
+        return verdict(process.returncode, shown, told, out)
     finally:
         shutil.rmtree(folder, ignore_errors=True)
 
