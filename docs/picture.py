@@ -14,7 +14,7 @@ DURATION = 21.0  # s; 10 swings, in which the ellipse turns by 29°
 def draw(path: Path) -> None:
     """Write the pendulum of examples/laboratory.toml, trimmed for the repository."""
     motion = kp.ExactMotion(kp.Pendulum(length=1.0), LAUNCH)
-    approximate = float(kp.precession_rate(0.20, 0.10, 1.0, 9.80665))
+    approximate = float(kp.olsson.precession(0.20, 0.10, 1.0, 9.80665))
     figure = plot.overview(
         motion, DURATION, approximate, "A pendulum of 1 m with turning radii 20 cm and 10 cm"
     )

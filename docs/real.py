@@ -19,8 +19,8 @@ from kugelpendel.cli.job_file.job import read_job
 from kugelpendel.cli.run.findings import envelope
 from kugelpendel.cli.run.real import real_motion
 from kugelpendel.observables import osculating_ellipse
-from kugelpendel.plot import spell
 from kugelpendel.plot._ink import INNER, OUTER, QUIET, STYLE, TEXT
+from kugelpendel.spelling import spell
 
 HOUR = 3600.0
 DAY = 86400.0
@@ -102,7 +102,7 @@ def puiseux() -> tuple[float, float, float]:
     pendulum = kp.Pendulum(67.0, 9.81)
     sideways = 0.01 * float(pendulum.angular_frequency)
     exact = kp.ExactMotion(pendulum, kp.Launch.apsides(3.0, 0.01))
-    by_25 = float(kp.precession_rate(3.0, 0.01, 67.0, 9.81))
+    by_25 = float(kp.olsson.precession(3.0, 0.01, 67.0, 9.81))
     return 3 * 3.0 * sideways / (8 * 67.0**2), by_25, float(exact.precession)
 
 

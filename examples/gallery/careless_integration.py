@@ -22,7 +22,7 @@ SWINGS = 100
 TOLERANCES = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7)  # the first is SciPy's default
 
 EXACT = kp.ExactMotion(PENDULUM, kp.Launch.ellipse(A, B))
-FORMULA = kp.precession_rate(A, B, PENDULUM.length, PENDULUM.gravity)
+FORMULA = kp.olsson.precession(A, B, PENDULUM.length, PENDULUM.gravity)
 
 
 def law(t: float, state: np.ndarray) -> np.ndarray:

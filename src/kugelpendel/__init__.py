@@ -10,4 +10,12 @@ above. The names live in `__init__.pyi`; each is imported when it is first used.
 
 import lazy_loader
 
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+_named, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+
+
+def __getattr__(name: str) -> object:
+    if name == "__version__":
+        from importlib.metadata import version  # takes longer than all else at the start
+
+        return version("kugelpendel")
+    return _named(name)

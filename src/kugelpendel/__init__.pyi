@@ -1,12 +1,15 @@
+from . import olsson as olsson
 from . import series as series
 from .builder import Answer as Answer
 from .builder import Check as Check
 from .builder import Design as Design
 from .builder import design as design
+from .citation import cite as cite
 from .motion import CubicMotion as CubicMotion
 from .motion import EnvelopeMotion as EnvelopeMotion
 from .motion import ExactMotion as ExactMotion
 from .motion import LinearMotion as LinearMotion
+from .motion import Motion as Motion
 from .motion import OlssonMotion as OlssonMotion
 from .motion import PlaneMotion as PlaneMotion
 from .motion import RealMotion as RealMotion
@@ -14,12 +17,12 @@ from .motion import SeriesMotion as SeriesMotion
 from .motion import Spectrum as Spectrum
 from .motion import TurningRates as TurningRates
 from .observables import Comparison as Comparison
+from .observables import Ellipse as Ellipse
+from .observables import IdealSummary as IdealSummary
 from .observables import Validity as Validity
 from .observables import ValidityMap as ValidityMap
 from .observables import compare as compare
 from .observables import ellipse as ellipse
-from .observables import precession_rate as precession_rate
-from .observables import swing_frequency as swing_frequency
 from .observables import validity as validity
 from .observables import validity_map as validity_map
 from .parameters import Bob as Bob
@@ -32,6 +35,8 @@ from .parameters import Site as Site
 from .parameters import Suspension as Suspension
 from .parameters import Wire as Wire
 
+__version__: str
+
 __all__ = [
     "Answer",
     "Bob",
@@ -41,11 +46,14 @@ __all__ = [
     "Design",
     "Drag",
     "Drive",
+    "Ellipse",
     "EnvelopeMotion",
     "ExactMotion",
+    "IdealSummary",
     "InvalidInput",
     "Launch",
     "LinearMotion",
+    "Motion",
     "OlssonMotion",
     "Pendulum",
     "PlaneMotion",
@@ -58,12 +66,12 @@ __all__ = [
     "Validity",
     "ValidityMap",
     "Wire",
+    "cite",
     "compare",
     "design",
     "ellipse",
-    "precession_rate",
+    "olsson",
     "series",
-    "swing_frequency",
     "validity",
     "validity_map",
 ]

@@ -81,8 +81,8 @@ def units_do_not_matter(motion: ExactMotion) -> None:
     exactly = partial(np.testing.assert_allclose, rtol=0, atol=1e-300)
     exactly(image.position(2 * times), 4 * motion.position(times))
     exactly(image.velocity(2 * times), 2 * motion.velocity(times))
-    assert image.precession == motion.precession / 2
-    assert image.frequency == motion.frequency / 2
+    exactly(image.precession, motion.precession / 2)
+    exactly(image.frequency, motion.frequency / 2)
     exactly(image.tension(2 * times), motion.tension(times))
 
 

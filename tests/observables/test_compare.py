@@ -34,7 +34,7 @@ def test_every_motion_is_there(laboratory: kp.Comparison) -> None:
         assert row.reason == row.caution == ""
         assert row.errors is not None
         assert row.errors.shape == laboratory.times.shape
-    with pytest.raises(KeyError):
+    with pytest.raises(kp.InvalidInput, match="No motion of this comparison"):
         laboratory.row("ExactMotion")
 
 

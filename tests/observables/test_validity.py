@@ -17,9 +17,9 @@ def test_errors_are_those_of_the_formulas() -> None:
     found = kp.validity(0.3, -0.12, 1.5)
     pendulum = kp.Pendulum(1.5)
     exact = kp.ExactMotion(pendulum, kp.Launch.apsides(0.3, -0.12))
-    formula = kp.precession_rate(0.3, -0.12, 1.5)
+    formula = kp.olsson.precession(0.3, -0.12, 1.5)
     assert found.formula_25 == pytest.approx(formula / exact.precession - 1, abs=1e-15)
-    formula = kp.swing_frequency(0.3, -0.12, 1.5)
+    formula = kp.olsson.frequency(0.3, -0.12, 1.5)
     assert found.formula_26 == pytest.approx(formula / exact.frequency - 1, abs=1e-15)
     motion = kp.SeriesMotion(pendulum, kp.Launch.apsides(0.3, -0.12), order=4)
     pair = found.series[4]

@@ -200,8 +200,8 @@ def test_third_harmonics_are_those_of_the_spectrum() -> None:
 
 
 RUNNING: list[tuple[str, Callable[..., Any], int]] = [
-    ("25", kp.precession_rate, 1),
-    ("26", kp.swing_frequency, 2),
+    ("25", kp.olsson.precession, 1),
+    ("26", kp.olsson.frequency, 2),
 ]
 
 

@@ -14,6 +14,7 @@ from numpy.testing import assert_allclose
 
 import kugelpendel as kp
 from kugelpendel import plot
+from kugelpendel.observables import TurningPoints
 
 ROD = kp.Pendulum(length=1.0)
 
@@ -152,16 +153,57 @@ def test_svg_is_small_and_always_the_same(tmp_path: Path) -> None:
     assert paths[0].stat().st_size < 300_000
 
 
-def test_turning_rate_is_the_precession_below_the_support() -> None:
-    pendulum, launch, _ = MOTIONS["laboratory"]
-    motion = kp.ExactMotion(pendulum, launch)
-    assert plot.turning_rate(motion) == (motion.precession, False)
+APPROXIMATIONS = [kp.LinearMotion, kp.OlssonMotion, kp.SeriesMotion, kp.CubicMotion, kp.PlaneMotion]
+FORCED = [
+    kp.RealMotion(ROD, kp.Launch.apsides(0.2, 0.1)),
+    kp.RealMotion(ROD, kp.Launch.ellipse(0.2, 0.0), site=kp.Site(0.8, gravity=9.80665)),
+    kp.RealMotion(ROD, kp.Launch.apsides(0.2, 0.1), drag=kp.Drag(1e-3)),
+    kp.RealMotion(ROD, kp.Launch.angles(1.9, 0.3, 0.1, 3.0), thread="rod"),
+    kp.EnvelopeMotion(ROD, kp.Launch.apsides(0.2, 0.1), drag=kp.Drag(1e-3)),
+]
 
 
-def test_turning_rate_over_the_top_takes_whole_turns_off() -> None:
-    pendulum, launch, _ = MOTIONS["over the top"]
-    motion = kp.ExactMotion(pendulum, launch)
-    rate, whole = plot.turning_rate(motion)
-    assert whole
-    expected = (motion.apsidal_angle - 2 * math.pi) / motion.radial_period
-    assert rate == pytest.approx(expected, rel=1e-12)
+@pytest.mark.parametrize(
+    "motion",
+    [*(make(ROD, kp.Launch.apsides(0.2, 0.1, 0.3)) for make in APPROXIMATIONS), *FORCED],
+    ids=lambda motion: type(motion).__name__,
+)
+def test_any_motion_can_be_drawn(motion: kp.Motion) -> None:
+    figure = plot.overview(motion, 40.0)
+    figure.canvas.draw()
+    (apsides,) = (axes for axes in figure.axes if axes.get_title().startswith("Turning of"))
+    assert np.size(apsides.lines[-1].get_data()[0]) > 10
+    assert "turning points" in str(apsides.lines[-1].get_label())
+
+
+@pytest.mark.parametrize("make", APPROXIMATIONS)
+def test_marks_of_an_approximation_are_its_own(make: type[kp.Motion]) -> None:
+    """The apsides turn by the motion's own precession, not by the exact one beside it."""
+    motion = make(ROD, kp.Launch.apsides(0.4, 0.2))  # pyright: ignore[reportCallIssue]
+    known = kp.IdealSummary.of(motion)
+    apsides = TurningPoints.of(motion, known, 60.0, 24)
+    assert len(apsides.times) == 24
+    expected = float(motion.precession) * (apsides.times - apsides.times[0])
+    assert_allclose(apsides.turned, expected, atol=1e-9)
+
+
+@pytest.mark.parametrize("duration", [-1.0, 0.0, math.inf, math.nan])
+def test_a_duration_that_makes_no_sense(duration: float) -> None:
+    with pytest.raises(kp.InvalidInput, match="a duration that is positive and finite, but it is"):
+        plot.overview(kp.ExactMotion(ROD, kp.Launch.apsides(0.2, 0.1)), duration)
+
+
+def test_an_ensemble_is_refused_with_the_way_out() -> None:
+    motion = kp.ExactMotion(ROD, kp.Launch.apsides([0.2, 0.3], 0.1))
+    with pytest.raises(
+        kp.InvalidInput, match=r"shape \(2,\); pick one of its motions, motion\[0\]"
+    ):
+        plot.overview(motion, 10.0)
+    plot.overview(motion[0], 10.0)
+
+
+def test_a_notebook_shows_the_figure() -> None:
+    """A notebook asks an object for `_repr_png_` where no window of pyplot is open."""
+    png = draw("laboratory")[0]._repr_png_()  # pyright: ignore[reportAttributeAccessIssue]
+    assert png.startswith(b"\x89PNG")
+    assert len(png) > 20_000

@@ -1,7 +1,8 @@
 //! Exact motions: flat arrays in, flat arrays out.
 
 use crate::columns::{Columns, Numbers, launcher, new_array};
-use kugelpendel::{Ensemble, ExactMotion, Harmonic, Pendulum, Quantity, Times};
+use crate::meaning::event;
+use kugelpendel::{EllipseRates, Ensemble, ExactMotion, Harmonic, IdealSummary, Pendulum, Quantity, Times};
 use numpy::{Complex64, IntoPyArray, PyArray1, PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -11,6 +12,10 @@ use pyo3::prelude::*;
 pub(crate) struct ExactMotions {
     ensemble: Ensemble,
 }
+
+/// Regime and sense; swing period, turning rate, whether less whole turns, full turn and once round; largest angle; the
+/// rates by (25) and (26).
+type Summary = (&'static str, f64, (f64, f64, bool, f64, f64), f64, f64, f64);
 
 type Harmonics<'py> = (Bound<'py, PyArray1<i32>>, Numbers<'py>, Bound<'py, PyArray1<Complex64>>);
 
@@ -116,6 +121,78 @@ impl ExactMotions {
         self.each(py, ExactMotion::tension_range)
     }
 
+    fn swing_period<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        self.each(py, |motion| [motion.swing_period()])
+    }
+
+    /// What an error of position is given as a fraction of, m.
+    fn amplitude<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        self.each(py, |motion| [motion.amplitude()])
+    }
+
+    /// What the first motion is, as `Summary` in the Python package has it.
+    fn summary(&self) -> PyResult<Summary> {
+        let s = IdealSummary::of(self.first()?);
+        let rates = (s.swing_period, s.turning, s.whole_turns, s.full_turn, s.once_round);
+        Ok((s.regime.name(), s.sense, rates, s.largest_angle, s.formula_25, s.frequency_26))
+    }
+
+    /// Times of outer turning points of the first motion up to a time, s, at most so many and evenly spread.
+    fn apsidal_times<'py>(&self, py: Python<'py>, until: f64, most: usize) -> PyResult<Numbers<'py>> {
+        Ok(self.first()?.apsidal_times(until, most).into_pyarray(py))
+    }
+
+    /// By how much the first motion's outer turning points at these times and azimuths have moved round, rad.
+    fn turned<'py>(
+        &self,
+        py: Python<'py>,
+        times: PyReadonlyArray1<'py, f64>,
+        azimuths: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Numbers<'py>> {
+        let mut turned = azimuths.as_slice()?.to_vec();
+        self.first()?.turned(times.as_slice()?, &mut turned);
+        Ok(turned.into_pyarray(py))
+    }
+
+    /// A swing of the first motion as a comparison counts them, s.
+    fn comparison_swing(&self) -> PyResult<f64> {
+        Ok(self.first()?.comparison_swing())
+    }
+
+    /// At how many times the first motion is compared with others over a duration in s.
+    fn comparison_count(&self, duration: f64) -> PyResult<usize> {
+        Ok(self.first()?.comparison_count(duration))
+    }
+
+    /// For each motion, which was launched between turning radii a and b that are given as well: precession and frequency
+    /// in rad/s, a/l and b/l, the relative errors of (25) and (26), and 1 where it is so small that every formula is exact.
+    fn ellipse_rates<'py>(&self, py: Python<'py>, radii: Vec<PyReadonlyArray1<'py, f64>>) -> PyResult<Numbers<'py>> {
+        let radii = Columns::checked(&radii, 2, self.ensemble.len())?;
+        let row = |index: usize| {
+            let [a, b] = radii.row(index);
+            let Ok(motion) = self.ensemble.motion(index) else { return [f64::NAN; 7] };
+            let rates = EllipseRates::of(motion, a, b);
+            let [alpha, beta] = rates.radii;
+            let tiny = if rates.tiny { 1.0 } else { 0.0 };
+            [rates.precession, rates.frequency, alpha, beta, rates.formula_25, rates.formula_26, tiny]
+        };
+        let rows: Vec<f64> = py.detach(|| (0..self.ensemble.len()).flat_map(row).collect());
+        Ok(rows.into_pyarray(py))
+    }
+
+    /// Times of an event of the first motion, at most `most` of them.
+    fn events<'py>(
+        &self,
+        py: Python<'py>,
+        kind: &str,
+        value: f64,
+        between: [f64; 2],
+        most: usize,
+    ) -> PyResult<Numbers<'py>> {
+        let (event, motion) = (event(kind, value)?, self.first()?);
+        Ok(py.detach(|| motion.events(event, between, most)).into_pyarray(py))
+    }
+
     /// (order, frequency, amplitude) in the plan view and of the height, row after row; NaN and the order 0 where there
     /// is no spectrum, and why.
     fn spectrum<'py>(&self, py: Python<'py>, pairs: usize) -> (Harmonics<'py>, Harmonics<'py>, Vec<(usize, String)>) {
@@ -139,6 +216,13 @@ impl ExactMotions {
 }
 
 impl ExactMotions {
+    fn first(&self) -> PyResult<&ExactMotion> {
+        if self.ensemble.is_empty() {
+            return Err(PyValueError::new_err("there is no motion"));
+        }
+        self.ensemble.motion(0).as_ref().map_err(|invalid| PyValueError::new_err(invalid.to_string()))
+    }
+
     fn scattered<'py>(
         &self,
         py: Python<'py>,

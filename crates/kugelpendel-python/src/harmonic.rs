@@ -1,37 +1,88 @@
 //! Figures of a few harmonics: flat arrays in, flat arrays out.
 
-use crate::columns::{Numbers, new_array};
-use kugelpendel::{HarmonicMotion, MAX_POWER, Quantity, Times};
-use numpy::{PyReadonlyArray1, PyReadonlyArray2};
+use crate::columns::{Columns, Numbers, launcher, new_array};
+use crate::meaning::event;
+use crate::stepped::problems;
+use kugelpendel::{HarmonicLaw, HarmonicMotion, Invalid, MAX_POWER, Pendulum, Quantity, Times};
+use numpy::{IntoPyArray, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 /// Turning figures of a few harmonics in a row.
 #[pyclass(frozen, module = "kugelpendel._core")]
 pub(crate) struct HarmonicMotions {
-    motions: Vec<HarmonicMotion>,
+    motions: Vec<Result<HarmonicMotion, Invalid>>,
 }
 
 #[pymethods]
 impl HarmonicMotions {
-    /// `rows`: length, frequency, precession, apsis time and azimuth, then the powers of the inner and of the outer part.
+    /// Columns as for `ExactMotions`; the law is "linear" or "olsson".
     #[new]
-    fn new(rows: PyReadonlyArray2<'_, f64>) -> PyResult<Self> {
-        const WIDTH: usize = 5 + 2 * (MAX_POWER + 1);
+    fn new(
+        py: Python<'_>,
+        count: usize,
+        pendulum: Vec<PyReadonlyArray1<'_, f64>>,
+        kind: &str,
+        values: Vec<PyReadonlyArray1<'_, f64>>,
+        law: &str,
+    ) -> PyResult<Self> {
+        let (width, launch) =
+            launcher(kind).ok_or_else(|| PyValueError::new_err(format!("there is no launch of kind {kind:?}")))?;
+        let law = match law {
+            "linear" => HarmonicLaw::Linear,
+            "olsson" => HarmonicLaw::Olsson,
+            _ => return Err(PyValueError::new_err(format!("there is no law {law:?}"))),
+        };
+        let pendulum = Columns::checked(&pendulum, 3, count)?;
+        let values = Columns::checked(&values, width, count)?;
+        let motions = py.detach(|| {
+            let made = (0..count).map(|index| {
+                let [length, gravity, mass] = pendulum.row(index);
+                HarmonicMotion::new(Pendulum { length, gravity, mass }, launch(&values, index), law)
+            });
+            made.collect()
+        });
+        Ok(Self { motions })
+    }
+
+    /// The same turning points and phases under other rates, and with powers of the inner and of the outer part: a row
+    /// for each motion.
+    fn with_figures(&self, rows: PyReadonlyArray2<'_, f64>) -> PyResult<Self> {
+        const POWERS: usize = MAX_POWER + 1;
         let rows = rows.as_array();
-        if rows.ncols() != WIDTH {
-            return Err(PyValueError::new_err(format!("a row takes {WIDTH} numbers, not {}", rows.ncols())));
+        if rows.dim() != (self.motions.len(), 2 + 2 * POWERS) {
+            return Err(PyValueError::new_err(format!("the rows are {:?}", rows.dim())));
         }
-        let motions = rows.rows().into_iter().map(|row| HarmonicMotion {
-            length: row[0],
-            frequency: row[1],
-            precession: row[2],
-            apsis_time: row[3],
-            apsis_azimuth: row[4],
-            inner: std::array::from_fn(|k| row[5 + k]),
-            outer: std::array::from_fn(|k| row[5 + MAX_POWER + 1 + k]),
+        let motions = self.motions.iter().zip(rows.rows()).map(|(motion, row)| {
+            let powers = |first: usize| std::array::from_fn(|k| row[first + k]);
+            let (inner, outer) = (powers(2), powers(2 + POWERS));
+            motion.clone().map(|motion| motion.with_figure(row[0], row[1], inner, outer))
         });
         Ok(Self { motions: motions.collect() })
+    }
+
+    /// How many powers each part of a figure has.
+    #[staticmethod]
+    fn powers() -> usize {
+        MAX_POWER + 1
+    }
+
+    /// Index and sentence of each bad case.
+    fn problems(&self) -> Vec<(usize, String)> {
+        problems(&self.motions)
+    }
+
+    /// Outer semi-axes and inner ones, signed; two numbers a motion.
+    fn semi_axes<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        self.each(py, HarmonicMotion::semi_axes)
+    }
+
+    fn frequency<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        self.each(py, |motion| [motion.frequency])
+    }
+
+    fn precession<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+        self.each(py, |motion| [motion.precession])
     }
 
     fn position<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {
@@ -47,14 +98,42 @@ impl HarmonicMotions {
     fn sample<'py>(&self, py: Python<'py>, start: f64, step: f64, count: usize) -> Numbers<'py> {
         self.filled(py, count, Quantity::Position, Times::Grid { start, step, first: 0 })
     }
+
+    /// Times of an event of the first motion, at most `most` of them.
+    fn events<'py>(
+        &self,
+        py: Python<'py>,
+        kind: &str,
+        value: f64,
+        between: [f64; 2],
+        most: usize,
+    ) -> PyResult<Numbers<'py>> {
+        let event = event(kind, value)?;
+        let Some(Ok(motion)) = self.motions.first() else {
+            return Err(PyValueError::new_err("there is no motion"));
+        };
+        Ok(py.detach(|| motion.events(event, between, most)).into_pyarray(py))
+    }
 }
 
 impl HarmonicMotions {
+    fn each<'py, const N: usize>(
+        &self,
+        py: Python<'py>,
+        quantity: impl Fn(&HarmonicMotion) -> [f64; N],
+    ) -> Numbers<'py> {
+        let numbers = self.motions.iter().flat_map(|motion| motion.as_ref().map_or([f64::NAN; N], &quantity));
+        numbers.collect::<Vec<_>>().into_pyarray(py)
+    }
+
     fn filled<'py>(&self, py: Python<'py>, count: usize, quantity: Quantity, times: Times<'_>) -> Numbers<'py> {
         new_array(py, 3 * count * self.motions.len(), |out| {
             if count > 0 {
                 for (motion, row) in self.motions.iter().zip(out.chunks_exact_mut(3 * count)) {
-                    motion.fill(quantity, times, row);
+                    match motion {
+                        Ok(motion) => motion.fill(quantity, times, row),
+                        Err(_) => row.fill(f64::NAN),
+                    }
                 }
             }
         })

@@ -6,6 +6,7 @@ mod envelope;
 mod exact;
 mod harmonic;
 mod integrated;
+mod meaning;
 mod real;
 mod signal;
 mod stepped;
@@ -40,6 +41,11 @@ mod _core {
     use crate::harmonic::HarmonicMotions;
     #[pymodule_export]
     use crate::integrated::IntegratedMotions;
+    #[pymodule_export]
+    use crate::meaning::{
+        distances, events_on_a_grid, measured_rates, olsson_frequency, olsson_precession, osculating_ellipses,
+        relative_error, thread_pull, unwrapped, widened,
+    };
     #[pymodule_export]
     use crate::real::RealMotions;
 }

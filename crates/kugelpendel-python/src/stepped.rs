@@ -1,8 +1,9 @@
 //! Motions that are integrated step by step, in a row: what the real ones and those by (12) and (13) have in common.
 
 use crate::columns::{Numbers, new_array};
+use crate::meaning::event;
 use crate::signal::{Signal, lock};
-use kugelpendel::{Ending, Event, Halt, IntegratedMotion, Invalid, Passage, Readings, RealMotion, Stop, Walk};
+use kugelpendel::{Ending, Halt, IntegratedMotion, Invalid, Passage, Readings, RealMotion, Stop, Walk};
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -220,19 +221,6 @@ pub(crate) fn problems<M>(motions: &[Result<M, Invalid>]) -> Vec<(usize, String)
     motions.iter().enumerate().filter_map(bad).collect()
 }
 
-fn event(kind: &str, value: f64) -> PyResult<Event> {
-    Ok(match kind {
-        "outer" => Event::Outer,
-        "inner" => Event::Inner,
-        "bottom" => Event::Bottom,
-        "azimuth" => Event::Azimuth(value),
-        "radius" => Event::Radius(value),
-        "slack" => Event::Slack,
-        "taut" => Event::Taut,
-        _ => return Err(PyValueError::new_err(format!("there is no event {kind:?}"))),
-    })
-}
-
 fn name(ending: Ending) -> &'static str {
     match ending {
         Ending::Slack => "slack",
@@ -243,8 +231,10 @@ fn name(ending: Ending) -> &'static str {
 
 fn passages_array<'py>(py: Python<'py>, passages: &[Passage]) -> Passages<'py> {
     let times: Vec<_> = passages.iter().map(|passage| passage.time).collect();
-    let position: Vec<_> = passages.iter().flat_map(|passage| passage.state.position).collect();
-    let velocity: Vec<_> = passages.iter().flat_map(|passage| passage.state.velocity).collect();
+    let [position, velocity] = [0, 3].map(|first| {
+        let triples = passages.iter().flat_map(|passage| passage.state[first..first + 3].iter().copied());
+        triples.collect::<Vec<_>>()
+    });
     let tension: Vec<_> = passages.iter().map(|passage| passage.tension).collect();
     (times.into_pyarray(py), position.into_pyarray(py), velocity.into_pyarray(py), tension.into_pyarray(py))
 }

@@ -14,10 +14,11 @@
 // Reading order. What is given: `given` (pendulum, launch, forces, times, and what is said of bad ones). The closed form:
 // `exact`, with the constants of a motion in its `invariants` and the functions of time in its `theta`. Many times and
 // many motions: `sampling`. The real pendulum: `taylor` integrates, `real` has its equations step by step, `envelope` their
-// average. The paper's approximations: `paper`. Underneath: `numbers`.
+// average. The paper's approximations: `paper`. What somebody reads off a motion: `meaning`. Underneath: `numbers`.
 mod envelope;
 mod exact;
 mod given;
+mod meaning;
 mod numbers;
 mod paper;
 mod real;
@@ -34,14 +35,22 @@ pub use given::forces::{Drive, Forces, Thread};
 pub use given::invalid::Invalid;
 pub use given::launch::{Launch, TOLERANCE};
 pub use given::pendulum::Pendulum;
+pub use meaning::azimuth::{nearest, unwrap, unwrap_at};
+pub use meaning::compare::{EllipseRates, SWINGS, distances, relative_error};
+pub use meaning::ellipse::Ellipse;
+pub use meaning::events::events_on_a_grid;
+pub use meaning::measured::{MeasuredRates, PlanState, measured_rates};
+pub use meaning::olsson;
+pub use meaning::regime::Regime;
+pub use meaning::summary::IdealSummary;
 pub use numbers::arithmetic::fused;
 pub use paper::equations::Equation;
-pub use paper::harmonic::{HarmonicMotion, MAX_POWER, Powers};
+pub use paper::harmonic::{HarmonicLaw, HarmonicMotion, MAX_POWER, Powers};
 pub use paper::integrated::IntegratedMotion;
 pub use real::motion::RealMotion;
 pub use taylor::events::Event;
 pub use taylor::step::Ending;
-pub use taylor::walk::{Halt, Passage, Readings, StateVector, Stop, Walk, steps_taken};
+pub use taylor::walk::{Halt, Passage, Readings, Stop, Walk, steps_taken};
 
 pub use exact::spectrum::{Harmonic, Spectrum};
-pub use given::times::{Quantity, Times};
+pub use given::times::{Quantity, StateVector, Times};

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from kugelpendel import olsson
 from kugelpendel.builder import _measured
 from kugelpendel.builder._answer import AVERAGED, CLOSED_FORM, FOUCAULT, OLSSON, Answer, Check
 from kugelpendel.builder._case import Case
-from kugelpendel.observables import precession_rate
 from kugelpendel.parameters import Launch
 
 _DAY = 86400.0  # s
@@ -38,7 +38,7 @@ def foucault(case: Case) -> Iterator[Answer]:
 def intrinsic(case: Case) -> Iterator[Answer]:
     """What the ellipse does by itself, and how narrow it has to be."""
     first = float(
-        precession_rate(case.a, case.b, case.length, float(case.effective.gravity))
+        olsson.precession(case.a, case.b, case.length, float(case.effective.gravity))
     )  # fmt: skip
     yield Answer(
         "turning", "Intrinsic rate, formula (25)", first, "rad/s", "(3/8) ω0 ab/l²",

@@ -11,8 +11,8 @@ from kugelpendel import plot
 from kugelpendel.cli.compare.report import plain_table, print_table
 from kugelpendel.cli.job_file.quantity import LENGTH, read_quantity
 from kugelpendel.cli.output import staged
-from kugelpendel.cli.terminal.describe import given
-from kugelpendel.plot import LEVELS, significant, spell_percent
+from kugelpendel.plot import LEVELS
+from kugelpendel.spelling import as_given, significant, spell_percent
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -84,7 +84,7 @@ def _read(text: str, option: str) -> float:
 
 
 def _name(a: float, b: float, length: float) -> str:
-    return f"{given(a, 'm')} by {given(abs(b), 'm')} on {given(length, 'm')}"
+    return f"{as_given(a, 'm')} by {as_given(abs(b), 'm')} on {as_given(length, 'm')}"
 
 
 def _for_one(a: float, b: float, length: float) -> tuple[list[str], Table]:

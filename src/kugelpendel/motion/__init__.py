@@ -1,5 +1,6 @@
 """How it moves: every motion has the one interface of `Motion`."""
 
+from kugelpendel.motion._base import EventKind as EventKind
 from kugelpendel.motion._base import Motion as Motion
 from kugelpendel.motion._cubic import CubicMotion as CubicMotion
 from kugelpendel.motion._envelope import EnvelopeMotion as EnvelopeMotion
@@ -13,7 +14,6 @@ from kugelpendel.motion._real import RealMotion as RealMotion
 from kugelpendel.motion._series import SeriesMotion as SeriesMotion
 from kugelpendel.motion._spectrum import Spectrum as Spectrum
 from kugelpendel.motion._walk import AskedEvent as AskedEvent
-from kugelpendel.motion._walk import EventKind as EventKind
 from kugelpendel.motion._walk import Leg as Leg
 from kugelpendel.motion._walk import Passages as Passages
 from kugelpendel.motion._walk import SteppedMotion as SteppedMotion

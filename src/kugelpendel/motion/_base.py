@@ -2,49 +2,373 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Iterator
+from math import inf, isfinite, prod
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from kugelpendel.parameters import Launch, Numbers, Pendulum
+from kugelpendel import _core
+from kugelpendel.motion._given import selected, short
+from kugelpendel.motion._kept import kept
+from kugelpendel.motion._times import checked_times
+from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars, as_numbers
+
+if TYPE_CHECKING:
+    from typing import Self
+
+    from xarray import Dataset
+
+EventKind: TypeAlias = Literal["outer", "inner", "bottom", "azimuth", "radius", "slack", "taut"]
+
+_EVENTS: dict[str, tuple[str, str] | None] = {
+    "outer": None,
+    "inner": None,
+    "bottom": None,
+    "azimuth": ("azimuth", "rad"),
+    "radius": ("radius", "m"),
+    "slack": None,
+    "taut": None,
+}
+"""The kinds of events, each with the value that it takes and its unit."""
+
+_MOST_EVENTS = 10_000_000
+"""Events are handed out in one array, of 80 MB at most."""
+
+_GRID = 24
+"""Pieces of a half swing between which a change of sign is looked for."""
 
 
-class Motion(Protocol):
-    """What plots, observables and exports take: a pendulum under way."""
+class Motion(ABC):
+    """A pendulum under way: what plots, observables and exports take.
+
+    All eight motions are one: whatever is given, arrays in it broadcast to an ensemble, a motion
+    with a `shape`. `motion[i]` is one of its motions, or several; `len` and iteration go along the
+    first axis. Motions are equal where they are of one class and all that they were given is equal;
+    they can be hashed, pickled and copied, and nothing about them can be set.
+
+    Scalars such as `frequency` are a float for a single motion and a read-only array for an
+    ensemble; arrays of positions and the like belong to whoever asked for them.
+    """
 
     @property
+    @abstractmethod
     def pendulum(self) -> Pendulum:
-        """What swings."""
-        ...
+        """The pendulum as it was given."""
 
     @property
+    @abstractmethod
     def launch(self) -> Launch:
-        """How it began, at t = 0."""
-        ...
+        """Position and velocity at t = 0, as they were given."""
 
     @property
+    @abstractmethod
     def shape(self) -> tuple[int, ...]:
-        """Of the ensemble; () for a single motion."""
-        ...
+        """Shape of the ensemble; () for a single motion."""
 
     @property
+    @abstractmethod
     def span(self) -> tuple[float, float]:
         """First and last time, s, for which the motion can be asked."""
-        ...
 
     @property
+    @abstractmethod
     def trust(self) -> str:
-        """A sentence: where the motion holds."""
-        ...
+        """A sentence that says where the motion holds, and how far."""
 
+    @property
+    @abstractmethod
+    def frequency(self) -> Scalars:
+        """ω of the swing in the frame that turns with the precession, rad/s.
+
+        Raises AttributeError for a motion whose frequency changes under way.
+        """
+
+    @property
+    @abstractmethod
+    def precession(self) -> Scalars:
+        """Ω of that frame, rad/s, positive counter-clockwise seen from above.
+
+        Raises AttributeError for a motion whose precession changes under way.
+        """
+
+    @abstractmethod
     def position(self, t: ArrayLike) -> Numbers:
-        """In m, z down from the support: shape (*shape, *t.shape, 3)."""
-        ...
+        """Position from the support, m, z down: shape (*shape, *t.shape, 3)."""
 
+    @abstractmethod
     def velocity(self, t: ArrayLike) -> Numbers:
-        """In m/s: shape (*shape, *t.shape, 3)."""
-        ...
+        """Velocity, m/s: shape (*shape, *t.shape, 3)."""
 
+    @abstractmethod
     def sample(self, start: float, step: float, count: int) -> Numbers:
-        """Positions at start + step·k: shape (*shape, count, 3)."""
-        ...
+        """Positions at start + step·k: m, shape (*shape, count, 3)."""
+
+    @abstractmethod
+    def _arguments(self) -> dict[str, Any]:
+        """What the constructor was given, by name; what was left out is left out here too."""
+
+    @abstractmethod
+    def _problems(self) -> Iterable[tuple[int, str]]:
+        """Index and sentence of each bad case."""
+
+    @property
+    def effective_pendulum(self) -> Pendulum:
+        """The point mass that moves like the bob: here the pendulum itself."""
+        return self.pendulum
+
+    @property
+    def rotation(self) -> Scalars:
+        """Rate of the ground about the vertical, rad/s, counter-clockwise seen from above."""
+        return 0.0
+
+    @property
+    def period(self) -> Scalars:
+        """2π/ω, s: there and back; infinite on the separatrix, where ω = 0.
+
+        Raises AttributeError as `frequency` does.
+        """
+        with np.errstate(divide="ignore"):
+            return self._constant(2 * np.pi / np.asarray(self.frequency))
+
+    def tension(self, t: ArrayLike) -> Numbers:
+        """Pull of the thread, N, at the motion's own position and velocity: (*shape, *t.shape).
+
+        Negative where a thread would be slack and only a rod holds the motion. t and errors as in
+        `position`. Source: Olsson (1981), eq. (5a), m(g cos θ + v²/l).
+        """
+        times = np.asarray(t)
+        position, velocity = self.position(t), self.velocity(t)
+        columns = [self._column(value) for value in self.effective_pendulum.values]
+        pull = _core.thread_pull(self._count, columns, position.ravel(), velocity.ravel())
+        return pull.reshape((*self.shape, *times.shape))
+
+    def events(
+        self, kind: EventKind, start: float, stop: float, value: float | None = None
+    ) -> Numbers:
+        """Times of an event between two times, s, in order: shape (n,).
+
+        Parameters
+        ----------
+        kind
+            "outer" (the bob is farthest from the vertical axis), "inner" (closest to it), "bottom"
+            (at the lowest point of its path), "azimuth" (it passes an azimuth, either way),
+            "radius" (it passes a distance from the axis, either way), "slack" (the pull of the
+            thread falls through zero) or "taut" (it rises through zero, or the thread is straight
+            again after a flight).
+        start, stop
+            s, start ≤ stop, both belong to the interval; a motion that ends earlier is asked up to
+            its end.
+        value
+            The azimuth in rad or the radius in m; for those two kinds only.
+
+        Raises
+        ------
+        InvalidInput
+            For an unknown kind, a value left out or given in vain, times that make no sense, and
+            an ensemble: `motion[i].events(…)`.
+
+        Notes
+        -----
+        Times are the zeros of what the event watches, found to the last bits of the motion. A
+        turning point of an ellipse is good to ε/(1 − b²/a²) of a swing where the motion is good to
+        ε, except for `ExactMotion`, whose turning points come from its phase and are good to an ulp
+        or two of the time. On a circle to the last bit there are none, but for `ExactMotion`, which
+        has the limit of a slight wobble. In a vertical plane no azimuth is passed.
+        """
+        number = self._checked_event(kind, value)
+        first, last = one_number(start, "The start", "s"), one_number(stop, "The stop", "s")
+        least, most = self._event_span
+        if not (isfinite(first) and isfinite(last) and least <= first <= last):
+            bound = f"{least:.6g} s ≤ " if isfinite(least) else ""
+            raise InvalidInput(
+                f"Events are looked for between {bound}start ≤ stop, but from {first} s to "
+                f"{last} s."
+            )
+        return self._find_events(kind, number, (first, min(last, most)), _MOST_EVENTS)
+
+    def next_event(
+        self,
+        kind: EventKind,
+        after: float = 0.0,
+        within: float = 3600.0,
+        value: float | None = None,
+    ) -> float:
+        """The first time of an event later than `after`, s.
+
+        Looks `within` s ahead; raises InvalidInput where it does not come, and as `events`.
+        """
+        number = self._checked_event(kind, value)
+        first, ahead = one_number(after, "after", "s"), one_number(within, "within", "s")
+        least, most = self._event_span
+        if not (first >= least and 0 < ahead < inf and isfinite(first)):
+            bound = f"a time ≥ {least:.6g} s" if isfinite(least) else "a finite time"
+            raise InvalidInput(
+                f"An event is looked for within a positive time after {bound}, but within "
+                f"{ahead} s after {first} s."
+            )
+        between = (float(np.nextafter(first, inf)), min(first + ahead, most))
+        times = self._find_events(kind, number, between, 1) if between[0] <= between[1] else ()
+        if len(times) == 0:
+            raise InvalidInput(
+                f'The event "{kind}" does not come within {ahead:.6g} s after {first:.6g} s; look '
+                f"further with within=…, or the motion may never have it."
+            )
+        return float(times[0])
+
+    def to_xarray(self, t: ArrayLike) -> Dataset:
+        """Position, velocity and tension at the times t, labelled, with units in the attributes.
+
+        Dimensions (case_0, …, time, component); t in s, one axis. Needs xarray, which the extra
+        [run] brings. Errors as in `position`.
+        """
+        import xarray as xr  # only here: the library itself does without
+
+        times = checked_times(t, 7 * self._count)
+        if times.ndim != 1:
+            raise InvalidInput(f"A data set needs times on one axis, but theirs are {times.shape}.")
+        cases = tuple(f"case_{k}" for k in range(len(self.shape)))
+        vector = (*cases, "time", "component")
+        return xr.Dataset(
+            {
+                "position": (vector, self.position(times), {"units": "m", "origin": "support"}),
+                "velocity": (vector, self.velocity(times), {"units": "m/s"}),
+                "tension": ((*cases, "time"), self.tension(times), {"units": "N"}),
+            },
+            coords={
+                "time": ("time", times, {"units": "s"}),
+                "component": ("component", ["x", "y", "z"]),
+            },
+            attrs={
+                "title": f"{type(self).__name__} of a spherical pendulum",
+                "motion": repr(self),
+                "axes": "z down from the support; x, y the plan view from above",
+            },
+        )
+
+    @kept
+    def reason(self) -> NDArray[np.str_]:
+        """Why a case of the ensemble is bad, "" where it is good: shape `shape`."""
+        sentences = [""] * self._count
+        for index, sentence in self._problems():
+            sentences[index] = sentence
+        return np.array(sentences, dtype=np.str_).reshape(self.shape)
+
+    def __len__(self) -> int:
+        if self.shape == ():
+            raise TypeError("a single motion has no length; an ensemble has that of its first axis")
+        return self.shape[0]
+
+    def __bool__(self) -> bool:
+        return True  # an empty ensemble is a motion all the same
+
+    def __iter__(self) -> Iterator[Self]:
+        return (self[index] for index in range(len(self)))
+
+    def __getitem__(self, key: Any) -> Self:
+        """The motions at an index, a slice or a mask, as NumPy takes them."""
+        if self.shape == () and key != ():
+            raise IndexError("a single motion cannot be indexed; only an ensemble can")
+        parts = {
+            name: selected(value, self.shape, key) for name, value in self._arguments().items()
+        }
+        return type(self)(**parts)
+
+    def __repr__(self) -> str:
+        return short(type(self).__name__, self._arguments())
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, type(self)) and self._arguments() == other._arguments()
+
+    def __hash__(self) -> int:
+        return hash((type(self), tuple(self._arguments().items())))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_again, (type(self), self._arguments()))
+
+    def __setattr__(self, name: str, value: object) -> None:
+        if not name.startswith("_"):
+            raise AttributeError(
+                f"{name} of a motion cannot be set; make another {type(self).__name__}"
+            )
+        super().__setattr__(name, value)
+
+    @property
+    def _event_span(self) -> tuple[float, float]:
+        """The first and last time at which events are looked for, s."""
+        return self.span
+
+    @property
+    def _count(self) -> int:
+        return prod(self.shape)
+
+    def _refuse_bad(self) -> None:
+        """Raise InvalidInput for a single motion with a problem."""
+        if self.shape == ():
+            for _, sentence in self._problems():
+                raise InvalidInput(sentence)
+
+    def _column(self, value: Scalars) -> Numbers:
+        """One number for each case, or one for all."""
+        if isinstance(value, float):
+            return np.array([value])
+        return np.ascontiguousarray(np.broadcast_to(value, self.shape).ravel())
+
+    def _constant(self, values: Numbers, *tail: int) -> Any:
+        """A float for a single motion where nothing follows, else a read-only array."""
+        if self.shape == () and not tail:
+            return float(values.reshape(-1)[0])
+        shaped = values.reshape((*self.shape, *tail))
+        shaped.flags.writeable = False
+        return shaped
+
+    def _checked_event(self, kind: str, value: float | None) -> float:
+        if self.shape != ():
+            raise InvalidInput(
+                f"Events are those of a single motion, but this is an ensemble of shape "
+                f"{self.shape}; ask its motions one by one."
+            )
+        if not isinstance(kind, str) or kind not in _EVENTS:  # pyright: ignore[reportUnnecessaryIsInstance]
+            names = ", ".join(map(repr, _EVENTS))
+            raise InvalidInput(f"The event must be one of {names}, but it is {kind!r}.")
+        takes = _EVENTS[kind]
+        if takes is None:
+            if value is not None:
+                raise InvalidInput(
+                    f'The event "{kind}" does not take a value, but it is {value!r}.'
+                )
+            return 0.0
+        name, unit = takes
+        if value is None:
+            raise InvalidInput(f'The event "{kind}" needs a value, the {name} in {unit}.')
+        number = one_number(value, f"The {name}", unit)
+        if not isfinite(number):
+            raise InvalidInput(f"The {name} must be finite, but it is {number} {unit}.")
+        return number
+
+    def _find_events(
+        self, kind: str, value: float, between: tuple[float, float], most: int
+    ) -> Numbers:
+        """Events of a single motion: here on a grid of its own states."""
+        point = self.effective_pendulum
+        step = np.pi / (_GRID * float(point.angular_frequency))
+        pendulum = [float(number) for number in point.values]
+        return _core.events_on_a_grid(self._states, kind, value, between, step, most, pendulum)
+
+    def _states(self, times: Numbers) -> tuple[Numbers, Numbers]:
+        """Position and velocity at the same times."""
+        return self.position(times), self.velocity(times)
+
+
+def one_number(given: float, name: str, unit: str) -> float:
+    """The number as a float. Raises InvalidInput for what is not one number."""
+    value = as_numbers(given, name, unit)
+    if not isinstance(value, float):
+        raise InvalidInput(f"{name} must be one number, but it is {given!r}.")
+    return value
+
+
+def _again(make: type[Motion], arguments: dict[str, Any]) -> Motion:
+    return make(**arguments)

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Iterable
 from dataclasses import dataclass, fields
 from functools import cached_property
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from kugelpendel import _core
+from kugelpendel.motion._kept import kept
 from kugelpendel.motion._pumping import refuse_pumping
 from kugelpendel.motion._real import RealMotion
 from kugelpendel.motion._surrounded import Surrounded
@@ -145,22 +148,24 @@ class EnvelopeMotion(Surrounded):
             (around.drive_kind, around.drive_columns),
             self._exact,
         )
-        if self.shape == ():
-            for _, sentence in self._motions.problems():
-                raise InvalidInput(sentence)
+        self._refuse_bad()
         name, strength = self._strongest
         if strength > _WARN:
             warnings.warn(self._caution(name, strength), stacklevel=2)
 
-    def __reduce__(self) -> tuple[object, ...]:
-        return (_again, (self._around, self._exact))
+    def _arguments(self) -> dict[str, Any]:
+        other = {} if self._exact else {"exact": False}
+        return {**super()._arguments(), **other}
+
+    def _problems(self) -> Iterable[tuple[int, str]]:
+        return self._motions.problems()
 
     @property
     def exact(self) -> bool:
         """Whether ω and Ω are those of the closed form."""
         return self._exact
 
-    @cached_property
+    @kept
     def span(self) -> tuple[float, float]:
         """First and last time, s, for which all motions of the ensemble can be asked.
 
@@ -172,11 +177,6 @@ class EnvelopeMotion(Surrounded):
         first = float(spans[:, 0].max(initial=-np.inf))
         last = float(spans[:, 1].min(initial=np.inf))
         return (max(first, 0.0) if self.drive is not None else first, last)
-
-    @cached_property
-    def reason(self) -> NDArray[np.str_]:
-        """Why a case of the ensemble is bad, "" where it is good: shape `shape`."""
-        return self._reasons(self._motions.problems())
 
     @cached_property
     def _strongest(self) -> tuple[str, float]:
@@ -296,16 +296,3 @@ class EnvelopeMotion(Surrounded):
                 f"Keep to its span, or use RealMotion."
             )
         return flat.reshape((*self.shape, *times.shape, *tail))
-
-
-def _again(around: Surroundings, exact: bool) -> EnvelopeMotion:
-    return EnvelopeMotion(
-        around.pendulum,
-        around.launch,
-        site=around.site,
-        drag=around.drag,
-        suspension=around.suspension,
-        bob=around.bob,
-        drive=around.drive,
-        exact=exact,
-    )

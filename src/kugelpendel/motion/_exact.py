@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from functools import cached_property
-from math import prod
-from typing import TYPE_CHECKING
+from collections.abc import Iterable
+from typing import Any, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kugelpendel import _core
+from kugelpendel.motion._base import Motion
+from kugelpendel.motion._kept import kept
 from kugelpendel.motion._spectrum import Spectrum
 from kugelpendel.motion._times import (
     check_memory,
@@ -17,14 +18,13 @@ from kugelpendel.motion._times import (
     checked_count,
     checked_grid,
     checked_times,
+    motion_shape,
 )
 from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars
 
-if TYPE_CHECKING:
-    from xarray import Dataset
 
-
-class ExactMotion:
+@final
+class ExactMotion(Motion):
     """The ideal spherical pendulum from any launch, at any time: no integration, no drift.
 
     Ellipses of any size, libration and rotation in a plane, cones, paths above the support and over
@@ -59,53 +59,40 @@ class ExactMotion:
     def __init__(self, pendulum: Pendulum, launch: Launch):
         self._pendulum = pendulum
         self._launch = launch
-        try:
-            self._shape = np.broadcast_shapes(pendulum.shape, launch.shape)
-        except ValueError:
-            raise InvalidInput(
-                f"The pendulum's shape {pendulum.shape} and the launch's {launch.shape} do not fit "
-                f"together; give one of them another axis."
-            ) from None
+        self._shape = motion_shape(pendulum, launch)
         self._motions = _core.ExactMotions(
             self._count,
             [self._column(value) for value in pendulum.values],
             launch.kind,
             [self._column(value) for value in launch.values],
         )
-        if self._shape == ():
-            for _, sentence in self._motions.problems():
-                raise InvalidInput(sentence)
+        self._refuse_bad()
 
-    def __reduce__(self) -> tuple[type[ExactMotion], tuple[Pendulum, Launch]]:
-        return (ExactMotion, (self._pendulum, self._launch))
+    def _arguments(self) -> dict[str, Any]:
+        return {"pendulum": self._pendulum, "launch": self._launch}
+
+    def _problems(self) -> Iterable[tuple[int, str]]:
+        return self._motions.problems()
 
     @property
     def pendulum(self) -> Pendulum:
-        """What swings."""
+        """The pendulum as it was given."""
         return self._pendulum
 
     @property
     def launch(self) -> Launch:
-        """Position and velocity at t = 0, as given."""
+        """Position and velocity at t = 0, as they were given."""
         return self._launch
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Of the ensemble; () for a single motion."""
+        """Shape of the ensemble; () for a single motion."""
         return self._shape
 
     @property
     def span(self) -> tuple[float, float]:
         """First and last time, s: all of them."""
         return (-np.inf, np.inf)
-
-    @cached_property
-    def reason(self) -> NDArray[np.str_]:
-        """Why a case of the ensemble is bad, "" where it is good: shape `shape`."""
-        sentences = [""] * self._count
-        for index, sentence in self._motions.problems():
-            sentences[index] = sentence
-        return np.array(sentences, dtype=np.str_).reshape(self._shape)
 
     @property
     def trust(self) -> str:
@@ -150,16 +137,21 @@ class ExactMotion:
         times = self._times(t, 1)
         return self._shaped(self._motions.tension(times.ravel()), *times.shape)
 
-    @cached_property
+    @kept
     def frequency(self) -> Scalars:
         """ω, rad/s: of the swing, in the frame that turns with the precession.
 
         π/T, T the time between highest points; 0 on the separatrix. In a vertical plane over the
         top, of the revolutions: 2π/T. This is not the rate of the azimuth.
         """
-        return self._scalars(self._motions.frequency())
+        return self._constant(self._motions.frequency())
 
-    @cached_property
+    @kept
+    def period(self) -> Scalars:
+        """2π/ω, s: there and back, or once round a vertical circle; infinite on the separatrix."""
+        return self._constant(self._motions.swing_period())
+
+    @kept
     def precession(self) -> Scalars:
         """Ω, rad/s, positive counter-clockwise seen from above: of the ellipse's major axis.
 
@@ -167,59 +159,59 @@ class ExactMotion:
         relative accuracy however small the ellipse. This is not the azimuth's own mean rate, which
         is the precession plus or minus the frequency. To first order Olsson (1981), eq. (25).
         """
-        return self._scalars(self._motions.precession())
+        return self._constant(self._motions.precession())
 
-    @cached_property
+    @kept
     def radial_period(self) -> Scalars:
         """T, s: from one highest (outer) turning point to the next, half a swing to and fro.
 
         On a cone the limit of small oscillations about it; infinite on the separatrix; in a
         vertical plane over the top, of one revolution.
         """
-        return self._scalars(self._motions.radial_period())
+        return self._constant(self._motions.radial_period())
 
-    @cached_property
+    @kept
     def apsidal_angle(self) -> Scalars:
         """Azimuth from one highest turning point to the next, rad, signed like the motion.
 
         π in a vertical plane, 2π over the top in it.
         """
-        return self._scalars(self._motions.apsidal_angle())
+        return self._constant(self._motions.apsidal_angle())
 
-    @cached_property
+    @kept
     def apsis_time(self) -> Scalars:
         """First time ≥ 0 at a highest turning point, s; infinite on the separatrix."""
-        return self._scalars(self._motions.apsis_time())
+        return self._constant(self._motions.apsis_time())
 
-    @cached_property
+    @kept
     def apsis_azimuth(self) -> Scalars:
         """Azimuth at that time, rad in (−π, π]; 0 on the separatrix and at rest."""
-        return self._scalars(self._motions.apsis_azimuth())
+        return self._constant(self._motions.apsis_azimuth())
 
-    @cached_property
+    @kept
     def energy(self) -> Scalars:
         """Kinetic and potential, J/kg, from the lowest point of the sphere."""
-        return self._scalars(self._motions.energy())
+        return self._constant(self._motions.energy())
 
-    @cached_property
+    @kept
     def angular_momentum(self) -> Scalars:
         """x·vy − y·vx, m²/s, positive counter-clockwise seen from above."""
-        return self._scalars(self._motions.angular_momentum())
+        return self._constant(self._motions.angular_momentum())
 
-    @cached_property
+    @kept
     def turning_radii(self) -> Numbers:
         """Distance from the axis at the highest and at the lowest turning point, m: (*shape, 2)."""
-        return self._shaped(self._motions.turning_radii(), 2)
+        return self._constant(self._motions.turning_radii(), 2)
 
-    @cached_property
+    @kept
     def turning_heights(self) -> Numbers:
         """Height above the lowest point at the highest and lowest turning point, m: (*shape, 2)."""
-        return self._shaped(self._motions.turning_heights(), 2)
+        return self._constant(self._motions.turning_heights(), 2)
 
-    @cached_property
+    @kept
     def tension_range(self) -> Numbers:
         """Smallest and largest pull of the thread on the whole path, N: (*shape, 2)."""
-        return self._shaped(self._motions.tension_range(), 2)
+        return self._constant(self._motions.tension_range(), 2)
 
     @property
     def goes_slack(self) -> bool | NDArray[np.bool_]:
@@ -227,10 +219,10 @@ class ExactMotion:
         slack = self.tension_range[..., 0] < 0
         return bool(slack) if self._shape == () else slack
 
-    @cached_property
+    @kept
     def slack_time(self) -> Scalars:
         """First time ≥ 0 at which a thread goes slack, s; infinite if it never does."""
-        return self._scalars(self._motions.slack_time())
+        return self._constant(self._motions.slack_time())
 
     def spectrum(self, n: int) -> Spectrum:
         """The exact harmonics up to the order 2n − 1, all of them from one formula.
@@ -256,49 +248,61 @@ class ExactMotion:
             amplitude_z.reshape(vertical),
         )
 
-    def to_xarray(self, t: ArrayLike) -> Dataset:
-        """Position, velocity and tension at the times t, labelled, with units in the attributes.
+    @property
+    def amplitude(self) -> Scalars:
+        """The outer turning radius, m, or the length where the path rises above the support.
 
-        Dimensions (case_0, …, time, component); t in s, one axis. Needs xarray, which the extra
-        [run] brings. Errors as in `position`.
+        What errors of position are given as a fraction of.
         """
-        import xarray as xr  # only here: the library itself does without
+        return self._constant(self._motions.amplitude())
 
-        times = self._times(t, 7)
-        if times.ndim != 1:
-            raise InvalidInput(f"A data set needs times on one axis, but theirs are {times.shape}.")
-        cases = tuple(f"case_{k}" for k in range(len(self._shape)))
-        vector = (*cases, "time", "component")
-        return xr.Dataset(
-            {
-                "position": (vector, self.position(times), {"units": "m", "origin": "support"}),
-                "velocity": (vector, self.velocity(times), {"units": "m/s"}),
-                "tension": ((*cases, "time"), self.tension(times), {"units": "N"}),
-            },
-            coords={
-                "time": ("time", times, {"units": "s"}),
-                "component": ("component", ["x", "y", "z"]),
-            },
-            attrs={
-                "title": "Exact motion of a spherical pendulum",
-                "axes": "z down from the support; x, y the plan view from above",
-            },
-        )
+    def apsidal_times(self, until: float, most: int) -> Numbers:
+        """Times of outer turning points of a single motion, s, evenly spread up to `until`.
+
+        At most so many; none at rest, on the separatrix, or when the first comes too late.
+        """
+        return self._motions.apsidal_times(until, most)
+
+    def turned(self, times: ArrayLike) -> Numbers:
+        """By how much a single motion's outer turning points have moved round since the first, rad.
+
+        `times` are some of theirs, s: shape (n,). Counter-clockwise seen from above, unwrapped by
+        half turns, or by whole ones for a path over the top whose highest points are closer to it.
+        """
+        asked = self._times(times, 3)
+        x, y, _ = self.position(asked).T
+        return self._motions.turned(asked, np.arctan2(y, x))
 
     @property
-    def _count(self) -> int:
-        return prod(self._shape)
+    def comparison_swing(self) -> float:
+        """A swing of a single motion as comparisons count them, s: small swings' where ω = 0."""
+        return self._motions.comparison_swing()
 
-    def _column(self, value: Scalars) -> Numbers:
-        if isinstance(value, float):
-            return np.array([value])
-        return np.ascontiguousarray(np.broadcast_to(value, self._shape).ravel())
+    def comparison_count(self, duration: float) -> int:
+        """At how many evenly spread times a comparison over so many s shows its largest error."""
+        return self._motions.comparison_count(duration)
+
+    def ellipse_rates(self, a: ArrayLike, b: ArrayLike) -> Numbers:
+        """What the formulas for small ellipses are judged by: shape (*shape, 7).
+
+        a and b are the turning radii, m, between which the motions were launched. Precession and
+        frequency in rad/s, a/l and b/l, the relative errors of (25) and (26), and 1 where the
+        ellipse is so small that every formula is exact.
+        """
+        columns = [self._column(np.asarray(radius, dtype=np.float64)) for radius in (a, b)]
+        return self._shaped(self._motions.ellipse_rates(columns), 7)
+
+    def summary(self) -> tuple[Any, ...]:
+        """What `kp.IdealSummary.of` is made of, for a single motion."""
+        return self._motions.summary()
+
+    def _find_events(
+        self, kind: str, value: float, between: tuple[float, float], most: int
+    ) -> Numbers:
+        return self._motions.events(kind, value, between, most)
 
     def _times(self, t: ArrayLike, numbers_each: int) -> Numbers:
         return checked_times(t, numbers_each * self._count)
 
     def _shaped(self, flat: Numbers, *tail: int) -> Numbers:
         return flat.reshape((*self._shape, *tail))
-
-    def _scalars(self, flat: Numbers) -> Scalars:
-        return float(flat[0]) if self._shape == () else flat.reshape(self._shape)

@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from functools import cached_property
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kugelpendel import _core
 from kugelpendel.motion._exact import ExactMotion
+from kugelpendel.motion._kept import kept
 from kugelpendel.motion._walk import SteppedMotion
-from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum
+from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars
 
 
 class IntegratedMotion(SteppedMotion):
     """A motion in the plan view by an equation r̈ = −Λr, integrated by Taylor series of order 20.
 
     In an ensemble, a case that has ended is NaN from there on; a single motion raises. z lies on
-    the lower half of the sphere, and the tension is m·g·Λ.
+    the lower half of the sphere.
     """
 
     _equation: ClassVar[str]
@@ -37,9 +36,38 @@ class IntegratedMotion(SteppedMotion):
             (launch.kind, [self._column(value) for value in launch.values]),
             self._equation,
         )
+        self._refuse_bad()
 
-    def __reduce__(self) -> tuple[type[IntegratedMotion], tuple[Pendulum, Launch]]:
-        return (type(self), (self.pendulum, self.launch))
+    def _arguments(self) -> dict[str, Any]:
+        return {"pendulum": self.pendulum, "launch": self.launch}
+
+    @kept
+    def _rates(self) -> tuple[Scalars, Scalars]:
+        rates = np.full((self._count, 2), np.nan)
+        bad = {index for index, _ in self._problems()}
+        for index in set(range(self._count)) - bad:
+            motion = self[np.unravel_index(index, self.shape)] if self.shape else self
+            half_swing = float(motion._exact.radial_period)
+            found = _core.measured_rates(motion._states, half_swing)
+            rates[index] = [np.nan if rate is None else rate for rate in found]
+        return self._constant(rates[:, 0].copy()), self._constant(rates[:, 1].copy())
+
+    @property
+    def frequency(self) -> Scalars:
+        """ω of the swing in the turning frame, rad/s: measured at 65 outer turning points.
+
+        NaN on a circle and at rest, which show no turning points. Raises InvalidInput where the
+        motion ends before.
+        """
+        return self._rates[0]
+
+    @property
+    def precession(self) -> Scalars:
+        """Ω of that frame, rad/s, positive counter-clockwise seen from above: measured likewise.
+
+        NaN where less than 1e-9 rad is turned in 64 half swings; else as `frequency`.
+        """
+        return self._rates[1]
 
     @property
     def pendulum(self) -> Pendulum:
@@ -64,28 +92,15 @@ class IntegratedMotion(SteppedMotion):
         """
         return self._ends
 
-    @cached_property
+    @kept
     def _ends(self) -> tuple[float, float]:
         # Radially both laws are periodic, with nearly the exact period: what ends, ends soon.
         return self._span_within(2 * np.minimum(self._column(self._exact.radial_period), 1e3))
-
-    @cached_property
-    def reason(self) -> NDArray[np.str_]:
-        """Why a case of the ensemble is bad, "" where it is good: shape `shape`."""
-        sentences = [""] * self._count
-        for index, sentence in self._motions.problems():
-            sentences[index] = sentence
-        return np.array(sentences, dtype=np.str_).reshape(self.shape)
 
     @property
     @abstractmethod
     def trust(self) -> str:
         """Where the motion holds."""
-
-    def _column(self, value: float | Numbers) -> Numbers:
-        if isinstance(value, float):
-            return np.array([value])
-        return np.ascontiguousarray(np.broadcast_to(value, self.shape).ravel())
 
     def _check_times(self, times: Numbers) -> None:
         """All times are good: these motions can be followed backwards too."""

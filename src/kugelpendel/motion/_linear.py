@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from typing import final
 
-import numpy as np
-
 from kugelpendel.motion._harmonic import HarmonicMotion
-from kugelpendel.parameters import Numbers
 
 
 @final
@@ -18,13 +15,11 @@ class LinearMotion(HarmonicMotion):
     the path rises above the support; in an ensemble such a case is NaN.
     """
 
-    def _rates(self) -> tuple[Numbers, Numbers]:
-        frequency = np.asarray(self.pendulum.angular_frequency)
-        return frequency, np.zeros_like(frequency)
+    _law = "linear"
 
     @property
     def trust(self) -> str:
-        """Where the motion holds."""
+        """A sentence that says where the motion holds."""
         return (
             "Infinitesimal swings, for few of them: the phase is off by (a² + b²)/16l² and the "
             "azimuth by (3/8)ab/l² in each radian of swing."

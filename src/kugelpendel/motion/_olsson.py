@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from typing import final
 
-import numpy as np
-
 from kugelpendel.motion._harmonic import HarmonicMotion
-from kugelpendel.parameters import Numbers
 
 
 @final
@@ -19,14 +16,11 @@ class OlssonMotion(HarmonicMotion):
     is NaN.
     """
 
-    def _rates(self) -> tuple[Numbers, Numbers]:
-        omega0, length = self.pendulum.angular_frequency, self.pendulum.length
-        a, b = self._outer / length, self._inner / length
-        return omega0 * np.sqrt(1 - (a * a + b * b) / 8), 0.375 * omega0 * a * b
+    _law = "olsson"
 
     @property
     def trust(self) -> str:
-        """Where the motion holds."""
+        """A sentence that says where the motion holds."""
         return (
             "Small ellipses: Ω is low by a relative (7/32)(a² + b²)/l², and the shape lacks "
             "harmonics of relative size (a² + b²)/l²."

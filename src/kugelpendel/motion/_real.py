@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from functools import cached_property
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kugelpendel import _core
+from kugelpendel.motion._base import one_number
 from kugelpendel.motion._pumping import refuse_pumping
 from kugelpendel.motion._surrounded import Surrounded
 from kugelpendel.motion._surroundings import Surroundings
-from kugelpendel.motion._walk import SteppedMotion, one_number
+from kugelpendel.motion._walk import SteppedMotion
 from kugelpendel.parameters import (
     Bob,
     Drag,
@@ -121,21 +120,12 @@ class RealMotion(Surrounded, SteppedMotion):
             thread,
             tolerance,
         )
-        if self.shape == ():
-            for _, sentence in self._motions.problems():
-                raise InvalidInput(sentence)
+        self._refuse_bad()
 
-    def __reduce__(self) -> tuple[type[RealMotion], tuple[Pendulum, Launch], dict[str, Any]]:
-        around = self._around
-        options: dict[str, Any] = {
-            "site": around.site, "drag": around.drag, "suspension": around.suspension,
-            "bob": around.bob, "drive": around.drive, "thread": self._thread,
-            "tolerance": self._tolerance,
-        }  # fmt: skip
-        return (RealMotion, (around.pendulum, around.launch), options)
-
-    def __setstate__(self, options: dict[str, Any]) -> None:
-        self.__init__(self.pendulum, self.launch, **options)
+    def _arguments(self) -> dict[str, Any]:
+        options = {"thread": (self._thread, "ends"), "tolerance": (self._tolerance, _FINEST)}
+        other = {name: value for name, (value, usual) in options.items() if value != usual}
+        return {**super()._arguments(), **other}
 
     @property
     def thread(self) -> Thread:
@@ -160,11 +150,6 @@ class RealMotion(Surrounded, SteppedMotion):
         """
         swings = 2 * np.pi * _LOOKED / np.asarray(self.angular_frequency)
         return self._span_within(np.ravel(swings))
-
-    @cached_property
-    def reason(self) -> NDArray[np.str_]:
-        """Why a case of the ensemble is bad, "" where it is good: shape `shape`."""
-        return self._reasons(self._motions.problems())
 
     @property
     def trust(self) -> str:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import warnings
-from typing import final
+from typing import Any, final
 
 import numpy as np
 
-from kugelpendel import series
-from kugelpendel.motion._harmonic import POWERS, HarmonicMotion
+from kugelpendel import _core, series
+from kugelpendel.motion._harmonic import HarmonicMotion
 from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum
+
+_POWERS = _core.HarmonicMotions.powers()
+"""How many powers of sin² ζ the core takes for each part of the figure."""
 
 
 @final
@@ -25,15 +28,19 @@ class SeriesMotion(HarmonicMotion):
     Source: `kugelpendel.series`.
     """
 
+    _law = "olsson"  # until its own rates and figure take the place of the formulas'
+
     def __init__(self, pendulum: Pendulum, launch: Launch, order: int = 6):
         series.frequency(order)  # raises for an order that makes no sense
-        if order > (limit := 2 * (POWERS - 1)):
+        if order > (limit := 2 * (_POWERS - 1)):
             raise InvalidInput(
                 f"The order of a SeriesMotion can be {limit} at most, but it is {order}; use "
                 f"order={limit}, or ExactMotion, which is right at every amplitude."
             )
         self._order = int(order)
         super().__init__(pendulum, launch)
+        self._apsides = self.semi_axes
+        self._motions = self._motions.with_figures(self._rows())
         self._expected = series.trusted(*self._relative(), self._order)
         if self._expected.warning is not None:
             warnings.warn(self._expected.warning, stacklevel=2)
@@ -48,24 +55,25 @@ class SeriesMotion(HarmonicMotion):
         """Highest power of a/l and b/l together in the frequency."""
         return self._order
 
-    def __reduce__(self) -> tuple[type[SeriesMotion], tuple[Pendulum, Launch, int]]:
-        return (SeriesMotion, (self.pendulum, self.launch, self._order))
+    def _arguments(self) -> dict[str, Any]:
+        return {**super()._arguments(), "order": self._order}
 
-    def _rates(self) -> tuple[Numbers, Numbers]:
-        omega0 = self.pendulum.angular_frequency
+    def _rows(self) -> Numbers:
+        """Frequency and precession, rad/s, and the powers of P and of Q, m: a row for each case."""
+        omega0 = np.asarray(self.pendulum.angular_frequency)
         alpha, beta = self._relative()
-        return (
-            np.asarray(omega0 * series.frequency(self._order)(alpha, beta)),
-            np.asarray(omega0 * series.precession(self._order)(alpha, beta)),
-        )
+        rates = (series.frequency(self._order), series.precession(self._order))
+        columns = [np.asarray(omega0 * rate(alpha, beta))[..., np.newaxis] for rate in rates]
+        columns += self._figure(alpha, beta)
+        rows = [np.broadcast_to(c, (*self.shape, c.shape[-1])) for c in columns]
+        return np.concatenate(rows, axis=-1).reshape(self._count, -1)
 
-    def _figure(self) -> tuple[Numbers, Numbers]:
-        alpha, beta = self._relative()
+    def _figure(self, alpha: Numbers, beta: Numbers) -> list[Numbers]:
         plan = series.harmonics(self._order).plan
-        inner, outer = np.zeros((2, *self.shape, POWERS))
+        inner, outer = np.zeros((2, *self.shape, _POWERS))
         # cos nζ = cos ζ·p(σ), sin nζ = sin ζ·q(σ) for odd n, σ = sin² ζ, and for p and for q alike
         # p_{n+2} = (2 − 4σ) p_n − p_{n−2}.
-        cos, sin = np.zeros((2, 2, POWERS))
+        cos, sin = np.zeros((2, 2, _POWERS))
         cos[:, 0], sin[:, 0] = 1.0, (-1.0, 1.0)
         # The series counts from a highest point, the figure from a lowest: a factor i^{n−1}.
         for n in range(1, max(plan) + 1, 2):
@@ -79,10 +87,12 @@ class SeriesMotion(HarmonicMotion):
                 for p in (cos, sin)
             )
         length = np.asarray(self.pendulum.length)[..., np.newaxis]
-        return length * inner, length * outer
+        return [length * inner, length * outer]
 
     def _relative(self) -> tuple[Numbers, Numbers]:
-        return self._outer / self.pendulum.length, self._inner / self.pendulum.length
+        # Those of the launch; the figure's own would follow them up to the order only.
+        a, b = np.moveaxis(self._apsides, -1, 0)
+        return a / self.pendulum.length, b / self.pendulum.length
 
     @property
     def trust(self) -> str:

@@ -2,19 +2,43 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from kugelpendel.motion._base import Motion
 from kugelpendel.motion._surroundings import Surroundings
 from kugelpendel.parameters import Bob, Drag, Drive, Launch, Pendulum, Scalars, Site, Suspension
 
 
-class Surrounded:
+class Surrounded(Motion):
     """A pendulum among the forces that act on it."""
 
     _around: Surroundings
+
+    def _arguments(self) -> dict[str, Any]:
+        around = self._around
+        given = {
+            "site": around.site, "drag": around.drag, "suspension": around.suspension,
+            "bob": around.bob, "drive": around.drive,
+        }  # fmt: skip
+        acting = {name: value for name, value in given.items() if value is not None}
+        return {"pendulum": around.pendulum, "launch": around.launch, **acting}
+
+    @property
+    def frequency(self) -> Scalars:
+        """There is none that stays: forces change it. Raises AttributeError with the way out."""
+        raise AttributeError(self._changes("frequency"))
+
+    @property
+    def precession(self) -> Scalars:
+        """There is none that stays: forces change it. Raises AttributeError with the way out."""
+        raise AttributeError(self._changes("precession"))
+
+    def _changes(self, rate: str) -> str:
+        return (
+            f"{type(self).__name__} has no {rate} that stays: forces change it under way. Ask for "
+            f"the times of its turning points, events('outer', …), for kp.ellipse(motion, t), or "
+            f"for EnvelopeMotion.rates(t)."
+        )
 
     @property
     def pendulum(self) -> Pendulum:
@@ -62,12 +86,11 @@ class Surrounded:
         return self.effective_pendulum.angular_frequency
 
     @property
+    def rotation(self) -> Scalars:
+        """Rate of the ground about the vertical, rad/s, counter-clockwise seen from above."""
+        return 0.0 if self.site is None else self.site.vertical_rotation
+
+    @property
     def shape(self) -> tuple[int, ...]:
         """Of the ensemble; () for a single motion."""
         return self._around.shape
-
-    def _reasons(self, problems: Iterable[tuple[int, str]]) -> NDArray[np.str_]:
-        sentences = [""] * self._around.count
-        for index, sentence in problems:
-            sentences[index] = sentence
-        return np.array(sentences, dtype=np.str_).reshape(self.shape)

@@ -10,7 +10,28 @@ from typing import cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kugelpendel.parameters import InvalidInput, Numbers, as_array, as_numbers
+from kugelpendel.parameters import (
+    InvalidInput,
+    Launch,
+    Numbers,
+    Pendulum,
+    as_array,
+    as_numbers,
+)
+
+
+def motion_shape(pendulum: Pendulum, launch: Launch) -> tuple[int, ...]:
+    """The shape that a pendulum and a launch broadcast to.
+
+    Raises InvalidInput where there is none.
+    """
+    try:
+        return np.broadcast_shapes(pendulum.shape, launch.shape)
+    except ValueError:
+        raise InvalidInput(
+            f"The pendulum's shape {pendulum.shape} and the launch's {launch.shape} do not fit "
+            f"together; give one of them another axis."
+        ) from None
 
 
 def checked_times(t: ArrayLike, numbers_each: int) -> Numbers:

@@ -2,25 +2,21 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from abc import abstractmethod
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from math import inf, isfinite
-from typing import Any, ClassVar, Literal, Protocol, TypeAlias, cast, final
+from math import inf
+from typing import Protocol, TypeAlias, final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from kugelpendel.motion._base import EventKind, Motion, one_number
 from kugelpendel.motion._times import checked_grid, checked_times
-from kugelpendel.parameters import InvalidInput, Numbers, as_numbers
+from kugelpendel.parameters import InvalidInput, Numbers
 
-EventKind: TypeAlias = Literal["outer", "inner", "bottom", "azimuth", "radius", "slack", "taut"]
 AskedEvent: TypeAlias = EventKind | tuple[EventKind, float]
 
-_VALUES = {"azimuth": "rad", "radius": "m"}
-"""Events that need a value, and its unit."""
-
-_EVENTS = ("outer", "inner", "bottom", "azimuth", "radius", "slack", "taut")
 _MOST = 10_000_000
 """Events in one request."""
 
@@ -99,7 +95,7 @@ class _Core(Protocol):
     ) -> tuple[int, float, float, str, Numbers, Numbers, Numbers, list[tuple[Numbers, ...]]]: ...
 
 
-class SteppedMotion(ABC):
+class SteppedMotion(Motion):
     """A motion that is integrated, and goes on from where it was.
 
     Every request goes on from the last checkpoint at or before its first time, with the same steps
@@ -110,12 +106,6 @@ class SteppedMotion(ABC):
     """
 
     _motions: _Core
-    _earliest: ClassVar[float] = 0.0
-
-    @property
-    @abstractmethod
-    def shape(self) -> tuple[int, ...]:
-        """Shape of the ensemble; () for a single motion."""
 
     @abstractmethod
     def _end_sentence(self, end: float, why: str, times: Numbers) -> str:
@@ -124,10 +114,6 @@ class SteppedMotion(ABC):
     @abstractmethod
     def _check_times(self, times: Numbers) -> None:
         """Refuse times before the motion begins."""
-
-    @property
-    def _count(self) -> int:
-        return int(np.prod(self.shape, dtype=np.int64))
 
     def position(self, t: ArrayLike) -> Numbers:
         """Position from the support, m, z down: shape (*shape, *t.shape, 3).
@@ -164,93 +150,24 @@ class SteppedMotion(ABC):
         """
         return Walk(self, one_number(start, "The start", "s"))
 
-    def events(
-        self, kind: EventKind, start: float, stop: float, value: float | None = None
+    def _problems(self) -> Iterable[tuple[int, str]]:
+        return self._motions.problems()
+
+    @property
+    def _event_span(self) -> tuple[float, float]:
+        # The walk finds the end by itself.
+        return (0.0, inf)
+
+    def _find_events(
+        self, kind: str, value: float, between: tuple[float, float], most: int
     ) -> Numbers:
-        """Times of an event between two times, s, to the last bits: shape (n,).
-
-        Parameters
-        ----------
-        kind
-            "outer" (farthest from the axis), "inner" (closest approach), "bottom" (lowest point of
-            the path), "azimuth" (the bob passes an azimuth, either way), "radius" (it passes a
-            distance from the axis, either way), "slack" (the thread's pull reaches zero) or "taut"
-            (it is straight again after a flight).
-        start, stop
-            s, 0 ≤ start ≤ stop; both belong to the interval.
-        value
-            The azimuth in rad or the radius in m; for those two kinds only.
-
-        Raises
-        ------
-        InvalidInput
-            For an unknown kind, a value left out or given in vain, times that make no sense, and
-            an ensemble.
-        """
-        event = self._checked_event(kind, value)
-        first, last = one_number(start, "The start", "s"), one_number(stop, "The stop", "s")
-        if not 0 <= first <= last < inf:
-            raise InvalidInput(
-                f"Events are looked for between 0 s ≤ start ≤ stop, but from {first} s to {last} s."
-            )
-        return self._find(event, (first, last), _MOST)
-
-    def next_event(
-        self,
-        kind: EventKind,
-        after: float = 0.0,
-        within: float = 3600.0,
-        value: float | None = None,
-    ) -> float:
-        """The first time of an event later than `after`, s.
-
-        Looks `within` s ahead; raises InvalidInput where it does not come, and as `events`.
-        """
-        event = self._checked_event(kind, value)
-        first, ahead = one_number(after, "after", "s"), one_number(within, "within", "s")
-        if not (first >= 0 and 0 < ahead < inf and isfinite(first)):
-            raise InvalidInput(
-                f"An event is looked for within a positive time after a time ≥ 0 s, but within "
-                f"{ahead} s after {first} s."
-            )
-        times = self._find(event, (float(np.nextafter(first, inf)), first + ahead), 1)
-        if times.size == 0:
-            raise InvalidInput(
-                f'The event "{kind}" does not come within {ahead:.6g} s after {first:.6g} s; look '
-                f"further with within=…, or the motion may never have it."
-            )
-        return float(times[0])
+        return self._motions.leg(np.empty(0), [(kind, value)], between, most, None)[-1][0][0]
 
     def _span_within(self, within: Numbers) -> tuple[float, float]:
         """Between which times all good motions go on, their ends looked for so many s each way."""
         spans = self._motions.spans(within).reshape(-1, 2)
         spans = spans[~np.isnan(spans).any(axis=-1)]
         return (float(spans[:, 0].max(initial=-inf)), float(spans[:, 1].min(initial=inf)))
-
-    def _find(self, event: tuple[str, float], between: tuple[float, float], most: int) -> Numbers:
-        found = self._motions.leg(np.empty(0), [event], between, most, None)[-1]
-        return found[0][0]
-
-    def _checked_event(self, kind: object, value: object) -> tuple[str, float]:
-        if self.shape != ():
-            raise InvalidInput(
-                f"Events are those of a single motion, but this is an ensemble of shape "
-                f"{self.shape}; ask its motions one by one."
-            )
-        if not isinstance(kind, str) or kind not in _EVENTS:
-            names = ", ".join(map(repr, _EVENTS))
-            raise InvalidInput(f"The event must be one of {names}, but it is {kind!r}.")
-        unit = _VALUES.get(kind)
-        if (unit is not None) != (value is not None):
-            if unit is None:
-                raise InvalidInput(f'The event "{kind}" does not take a value, but it is {value}.')
-            raise InvalidInput(f'The event "{kind}" needs a value, the {kind} in {unit}.')
-        if value is None:
-            return kind, 0.0
-        number = one_number(value, f"The {kind}", str(unit))
-        if not isfinite(number):
-            raise InvalidInput(f"The {kind} must be finite, but it is {number} {unit}.")
-        return kind, number
 
     def _times(self, t: ArrayLike, numbers_each: int) -> Numbers:
         times = checked_times(t, numbers_each * self._count)
@@ -352,10 +269,8 @@ class Walk:
                 f"The times of a leg must ascend from {self._time:.9g} s to {end:.9g} s, but they "
                 f"go from {wanted[0]:.9g} s to {wanted[-1]:.9g} s; sort them, or begin a new walk."
             )
-        checked = [
-            motion._checked_event(*(asked if isinstance(asked, tuple) else (asked, None)))  # pyright: ignore[reportPrivateUsage]
-            for asked in events
-        ]
+        pairs = [asked if isinstance(asked, tuple) else (asked, None) for asked in events]
+        checked = [(kind, motion._checked_event(kind, value)) for kind, value in pairs]  # pyright: ignore[reportPrivateUsage]
         start = self._time
         after = start if self._is_fresh else float(np.nextafter(start, inf))
         count, come, ended, why, position, velocity, tension, found = motion._motions.leg(  # pyright: ignore[reportPrivateUsage]
@@ -377,11 +292,3 @@ class Walk:
             },
             ending=self._ending,
         )
-
-
-def one_number(given: Any, name: str, unit: str) -> float:
-    """The number as a float. Raises InvalidInput for what is not one number."""
-    value = as_numbers(cast("float", given), name, unit)
-    if not isinstance(value, float):
-        raise InvalidInput(f"{name} must be one number, but it is {given!r}.")
-    return value

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from kugelpendel import _core
 from kugelpendel.motion import (
     CubicMotion,
     ExactMotion,
@@ -27,12 +28,6 @@ _SWINGS = 20
 
 _MOST_SWINGS = 20_000
 """Longer comparisons are refused: two of the motions are integrated step by step."""
-
-_POINTS = 64
-"""Times a swing: the largest error between two of them is larger by a thousandth at most."""
-
-_MOST_POINTS = 100_000
-"""Times in all; of longer durations each swing has fewer."""
 
 
 @dataclass(frozen=True)
@@ -105,11 +100,12 @@ class Comparison:
     rows: tuple[Compared, ...]
 
     def row(self, name: str) -> Compared:
-        """The motion of that name. Raises KeyError where there is none."""
+        """The motion of that name. Raises InvalidInput where there is none."""
         for row in self.rows:
             if row.name == name:
                 return row
-        raise KeyError(name)
+        names = ", ".join(row.name for row in self.rows)
+        raise InvalidInput(f"No motion of this comparison is {name!r}; there are {names}.")
 
 
 def compare(
@@ -164,7 +160,7 @@ def compare(
     return Comparison(
         exact=exact,
         times=times,
-        amplitude=_amplitude(exact),
+        amplitude=float(exact.amplitude),
         rows=tuple(_compared(rung, exact, times, truth) for rung in rungs),
     )
 
@@ -197,8 +193,7 @@ def _own_rates(motion: Motion, half_swing: float) -> Rates:
 
 
 def _times(exact: ExactMotion, duration: float | None) -> Numbers:
-    rest = float(exact.pendulum.angular_frequency)
-    swing = 2 * math.pi / (float(exact.frequency) or rest)
+    swing = exact.comparison_swing
     span = _SWINGS * swing if duration is None else float(duration)
     if not 0 < span < math.inf:
         raise InvalidInput(f"The duration must be positive and finite, but it is {duration} s.")
@@ -208,13 +203,8 @@ def _times(exact: ExactMotion, duration: float | None) -> Numbers:
             f"and two of the motions are integrated step by step; ask for {_MOST_SWINGS} swings, "
             f"{_MOST_SWINGS * swing:.6g} s, at most."
         )
-    count = 1 + min(max(math.ceil(_POINTS * span / swing), 200), _MOST_POINTS)
+    count = exact.comparison_count(span)
     return span / (count - 1) * np.arange(count, dtype=np.float64)
-
-
-def _amplitude(exact: ExactMotion) -> float:
-    length = float(exact.pendulum.length)
-    return length if exact.turning_heights[0] > length else float(exact.turning_radii[0])
 
 
 def _compared(rung: _Rung, exact: ExactMotion, times: Numbers, truth: Numbers) -> Compared:
@@ -227,7 +217,7 @@ def _compared(rung: _Rung, exact: ExactMotion, times: Numbers, truth: Numbers) -
             known = (times <= motion.span[1]) & ~np.logical_or.accumulate(truth[:, 2] < 0)
             errors = np.full(len(times), np.nan)
             found = motion.sample(0.0, float(times[1]), int(known.sum()))
-            errors[known] = np.linalg.norm(found - truth[known], axis=-1)
+            errors[known] = _core.distances(found.ravel(), truth[known].ravel())
         except InvalidInput as error:
             return replace(row, reason=str(error))
     cautions = [str(warning.message) for warning in caught]
@@ -247,6 +237,6 @@ def _compared(rung: _Rung, exact: ExactMotion, times: Numbers, truth: Numbers) -
 
 
 def _relative(approximate: float | None, truth: float | None) -> float | None:
-    if approximate is None or not truth:
+    if approximate is None or truth is None:
         return None
-    return approximate / truth - 1
+    return _core.relative_error(approximate, truth)

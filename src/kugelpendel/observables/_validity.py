@@ -9,19 +9,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kugelpendel import series
+from kugelpendel import _core, series
 from kugelpendel.motion import ExactMotion
-from kugelpendel.observables._olsson import precession_rate, swing_frequency
 from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars, as_numbers
 
 ORDERS = (2, 4, 6, 8, 10, 12)
 """Orders of the series that are judged."""
-
-_NARROW = 1e-12
-"""b/a of an ellipse that stands for the limit b → 0: what is left of it is of order 1e-24."""
-
-_TINY = 1e-9
-"""a/l below which every error is smaller than 1e-17 and only rounding would be shown."""
 
 _MOST = 4000
 """Points along one side of a map: 16 million motions, of some 5 GB."""
@@ -101,34 +94,33 @@ def validity(a: ArrayLike, b: ArrayLike, length: ArrayLike) -> Validity:
     given = as_numbers(a, "The turning radius a", "m"), as_numbers(b, "The turning radius b", "m")
     # The launch as it was given is what a sentence must be about.
     exact = ExactMotion(pendulum, Launch.apsides(*given))
-    shape = exact.shape
-    outer = np.asarray(given[0])
-    inner = np.maximum(np.abs(given[1]), _NARROW * outer)
-    alpha, beta = outer / pendulum.length, inner / pendulum.length
-    narrow = np.any(inner != given[1])
-    rates = ExactMotion(pendulum, Launch.apsides(outer, inner)) if narrow else exact
-    small = np.broadcast_to(alpha < _TINY, shape)
-    rest = pendulum.angular_frequency
+    outer, inner = (np.broadcast_to(radius, exact.shape) for radius in given)
+    wide = _core.widened(outer.size, [outer.ravel(), inner.ravel()]).reshape(exact.shape)
+    rates = ExactMotion(pendulum, Launch.apsides(outer, wide)) if np.any(wide != inner) else exact
+    found = np.moveaxis(rates.ellipse_rates(outer, wide), -1, 0)
+    precession, frequency, alpha, beta, formula_25, formula_26, tiny = found
+    bad = np.isnan(np.asarray(exact.frequency))
+    rest = np.asarray(pendulum.angular_frequency)
 
-    def error(approximate: Scalars, truth: Scalars) -> Scalars:
+    def error(relative: Numbers) -> Scalars:
+        good = np.where(bad, np.nan, np.where(tiny == 1, 0.0, relative))
+        return float(good) if exact.shape == () else good
+
+    def by_series(approximate: Scalars, truth: Numbers) -> Scalars:
         with np.errstate(invalid="ignore", divide="ignore"):
-            relative = np.asarray(approximate) / truth - 1
-        good = np.where(small & np.isfinite(np.asarray(exact.frequency)), 0.0, relative)
-        return float(good) if shape == () else good
+            return error(np.asarray(rest * approximate) / truth - 1)
 
-    with np.errstate(invalid="ignore"):
-        precession, frequency = rates.precession / rest, rates.frequency / rest
-        return Validity(
-            formula_25=error(precession_rate(outer, inner, length), rates.precession),
-            formula_26=error(swing_frequency(outer, inner, length), rates.frequency),
-            series={
-                order: SeriesErrors(
-                    error(series.precession(order)(alpha, beta), precession),
-                    error(series.frequency(order)(alpha, beta), frequency),
-                )
-                for order in ORDERS
-            },
-        )
+    return Validity(
+        formula_25=error(formula_25),
+        formula_26=error(formula_26),
+        series={
+            order: SeriesErrors(
+                by_series(series.precession(order)(alpha, beta), precession),
+                by_series(series.frequency(order)(alpha, beta), frequency),
+            )
+            for order in ORDERS
+        },
+    )
 
 
 def validity_map(n: int = 400, largest: float = 0.99) -> ValidityMap:

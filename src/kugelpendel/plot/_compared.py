@@ -6,20 +6,19 @@ from __future__ import annotations
 
 import math
 import textwrap
+from itertools import cycle
 from typing import TYPE_CHECKING
 
 import matplotlib as mpl
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
-from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
 
 from kugelpendel.plot import _ink
-from kugelpendel.plot._units import spell, unit_for
+from kugelpendel.spelling import spell, unit_for
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
     from kugelpendel import Comparison
@@ -33,7 +32,14 @@ _APART = 0.045
 _FEW = 3
 """Up to so many half swings the errors are drawn as they are, of more their largest in each."""
 
-_COLOURS = ("#8a8f98", "#b8443a", "#c98a1b", "#3b7d4f", "#2a6f97", "#6a4c93", "#22262e")
+_LINES = tuple(
+    zip(
+        ("#8a8f98", "#b8443a", "#c98a1b", "#3b7d4f", "#2a6f97", "#6a4c93", "#22262e"),
+        ("-", "--", "-", "-.", "-", "--", ":"),
+        strict=True,
+    )
+)
+"""Colour and dashes of each motion; where two colours look alike to some, the dashes differ."""
 
 
 def compared(comparison: Comparison, title: str = "") -> Figure:
@@ -41,21 +47,18 @@ def compared(comparison: Comparison, title: str = "") -> Figure:
 
     Parameters
     ----------
-    comparison : Comparison
+    comparison
         Of all motions from one launch; those that do not hold are named below the axes.
-    title : str
-        Above the figure.
+    title
+        A line above the figure.
 
     Returns
     -------
-    Figure
-        Without a window or a global state; `save` writes it.
+    A figure of matplotlib without a window or a global state, which a notebook shows at once;
+    `save` writes it.
     """
     with mpl.rc_context(_ink.STYLE):
-        figure = Figure(
-            figsize=(9.5, 5.6), layout=ConstrainedLayoutEngine(w_pad=0.12, h_pad=0.1), dpi=130
-        )
-        FigureCanvasAgg(figure)
+        figure = _ink.blank(9.5, 5.6)
         axes = figure.add_subplot()
         duration = _last_known(comparison)
         clock = unit_for(duration, "s")
@@ -63,12 +66,12 @@ def compared(comparison: Comparison, title: str = "") -> Figure:
         few = _half_swings(comparison, duration) <= _FEW
         what = "error of the position" if few else "largest error in a half swing"
         ends: list[tuple[float, str, str]] = []
-        for row, colour in zip(comparison.rows, _cycled(len(comparison.rows)), strict=True):
+        for row, (colour, dashes) in zip(comparison.rows, cycle(_LINES), strict=False):
             if row.errors is None:
                 continue
             errors = np.maximum(row.errors / scale, _LOWEST)
             times, largest = _envelope(comparison, errors)
-            axes.plot(times / clock.size, largest, color=colour, linewidth=1.7)
+            _ink.draw_curve(axes, times / clock.size, largest, dashes, color=colour, linewidth=1.7)
             ends.append((float(largest[-1]), f"{row.name}  {row.equation}", colour))
         axes.set(
             yscale="log",
@@ -106,14 +109,10 @@ def _last_known(comparison: Comparison) -> float:
     return float(max(ends, default=times[-1]))
 
 
-def _cycled(count: int) -> list[str]:
-    return [_COLOURS[k % len(_COLOURS)] for k in range(count)]
-
-
 def _envelope(
     comparison: Comparison, errors: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The largest error in each half swing, at its middle: within one it goes up and down."""
+    """The largest error in each half swing, where it is: within one it goes up and down."""
     times = comparison.times
     known = ~np.isnan(errors)
     times, errors = times[known], errors[known]
@@ -121,10 +120,8 @@ def _envelope(
     if bins <= _FEW:
         return times, errors
     parts = [part for part in np.array_split(np.arange(len(times)), min(bins, 600)) if part.size]
-    return (
-        np.array([times[part].mean() for part in parts]),
-        np.array([errors[part].max() for part in parts]),
-    )
+    largest = [part[errors[part].argmax()] for part in parts]
+    return times[largest], errors[largest]
 
 
 def _half_swings(comparison: Comparison, duration: float) -> int:

@@ -17,7 +17,7 @@ from matplotlib.ticker import MaxNLocator
 
 from kugelpendel.plot import _ink
 from kugelpendel.plot._rates import draw_rates
-from kugelpendel.plot._units import spell_rate, unit_for
+from kugelpendel.spelling import spell_rate, unit_for
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

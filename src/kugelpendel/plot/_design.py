@@ -15,7 +15,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import MaxNLocator
 
 from kugelpendel.plot import _ink
-from kugelpendel.plot._units import significant, spell, spell_rate, unit_for
+from kugelpendel.spelling import significant, spell, spell_rate, unit_for
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

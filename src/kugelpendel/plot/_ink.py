@@ -1,16 +1,22 @@
 """Colours and line styles, told apart with any colour vision and in grey print."""
 
+# matplotlib's stubs leave **kwargs untyped.
+# pyright: reportUnknownMemberType=false
 from __future__ import annotations
 
 import math
+from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
 import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.colors import LinearSegmentedColormap, Normalize
+from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 
-from kugelpendel.plot._units import unit_for
+from kugelpendel.spelling import unit_for
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -44,8 +50,39 @@ STYLE: dict[RcKeyType, Any] = {
 }
 """What every figure of this package is drawn with."""
 
+_FEW = 5
+"""Fewer points than these are drawn as points: a line between them would be invented."""
+
 _COLOURS = 128
 """Lengths of one colour along the path: enough to look continuous, few enough for a small SVG."""
+
+
+class Picture(Figure):
+    """A figure of matplotlib without a window or a global state, which a notebook shows at once."""
+
+    def _repr_png_(self) -> bytes:
+        file = BytesIO()
+        with mpl.rc_context(STYLE):
+            self.savefig(file, format="png")
+        return file.getvalue()
+
+
+def blank(width: float, height: float, *, w_pad: float = 0.12, h_pad: float = 0.1) -> Picture:
+    """A figure of that size in inches, laid out so that nothing overlaps."""
+    engine = ConstrainedLayoutEngine(w_pad=w_pad, h_pad=h_pad)
+    figure = Picture(figsize=(width, height), layout=engine, dpi=130)
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def draw_curve(
+    axes: Axes, x: NDArray[np.float64], y: NDArray[np.float64], style: str = "-", **options: Any
+) -> None:
+    """Draw a curve through its points; fewer than five of them are not joined."""
+    if len(x) < _FEW:
+        style = "o"
+        options = {"markersize": 4, **options}
+    axes.plot(x, y, style, **options)
 
 
 class Timeline:

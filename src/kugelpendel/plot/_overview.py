@@ -4,14 +4,14 @@
 # pyright: reportUnknownMemberType=false
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import matplotlib as mpl
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
-from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import MaxNLocator
 
+from kugelpendel.observables import IdealSummary
+from kugelpendel.parameters import InvalidInput
 from kugelpendel.plot import _ink
 from kugelpendel.plot._apsides import draw_apsides
 from kugelpendel.plot._path import visible_path
@@ -21,54 +21,63 @@ from kugelpendel.plot._side import draw_side
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from kugelpendel import ExactMotion
+    from matplotlib.figure import Figure
+
+    from kugelpendel.motion import Motion
 
 
 def overview(
-    motion: ExactMotion, duration: float, approximate: float | None = None, title: str = ""
+    motion: Motion, duration: float, approximate: float | None = None, title: str = ""
 ) -> Figure:
     """Draw a motion from its launch on.
 
     Parameters
     ----------
-    motion : ExactMotion
-        One motion, not an ensemble.
-    duration : float
-        s. Of a long time only part of the swings is drawn, and the figure says which.
-    approximate : float or None
+    motion
+        Any of the motions, a single one. Turning circles and heights are those of the ideal motion
+        from the same launch.
+    duration
+        How long, s. Of a long time only part of the swings is drawn, and the figure says which; a
+        motion that ends before is drawn up to its end.
+    approximate
         Precession by formula (25), rad/s, drawn beside the exact one; None where it does not apply.
-    title : str
-        Above the figure.
+    title
+        A line above the figure.
 
     Returns
     -------
-    Figure
-        Without a window or a global state; `save` writes it.
+    A figure of matplotlib without a window or a global state, which a notebook shows at once;
+    `save` writes it.
 
     Raises
     ------
     InvalidInput
-        For an ensemble.
+        For an ensemble, and a duration that is not positive and finite.
     """
+    known = IdealSummary.of(motion)
+    if not 0 < duration < math.inf:
+        raise InvalidInput(
+            f"A figure needs a duration that is positive and finite, but it is {duration} s; give "
+            f"the seconds from the launch on that are to be shown."
+        )
+    duration = min(float(duration), motion.span[1])
     with mpl.rc_context(_ink.STYLE):
-        path = visible_path(motion, duration)
+        path = visible_path(motion, known, duration)
         narrow = is_narrow(path)
-        engine = ConstrainedLayoutEngine(w_pad=0.12, h_pad=0.1)
-        figure = Figure(figsize=(11, 8.2), layout=engine, dpi=130)
-        FigureCanvasAgg(figure)
+        figure = _ink.blank(11, 8.2)
         grid = figure.add_gridspec(2, 2, width_ratios=(1.25, 1))
         plan = figure.add_subplot(grid[0, 0] if narrow else grid[:, 0])
         side = figure.add_subplot(grid[0, 1])
         apsides = figure.add_subplot(grid[1, 1])
         timeline = _ink.Timeline(path.until)
-        lines = draw_plan(plan, motion, path, timeline)
+        lines = draw_plan(plan, known, path, timeline)
         from_above = [plan]
         if narrow:
             stretched = figure.add_subplot(grid[1, 0])
-            draw_stretched(stretched, motion, path, timeline)
+            draw_stretched(stretched, known, path, timeline)
             from_above.append(stretched)
-        draw_side(side, motion, path, timeline)
-        draw_apsides(apsides, motion, duration, approximate)
+        draw_side(side, known, path, timeline)
+        draw_apsides(apsides, motion, known, duration, approximate)
         for axes in (*from_above, side, apsides):
             axes.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
             axes.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))

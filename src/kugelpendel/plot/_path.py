@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kugelpendel.plot._constants import Constants
-from kugelpendel.plot._units import spell
+from kugelpendel.spelling import spell
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from kugelpendel import ExactMotion
+    from kugelpendel.motion import Motion
+    from kugelpendel.observables import IdealSummary
 
 _ALL = 30
 """Up to so many swings are drawn one and all."""
@@ -32,11 +32,12 @@ class Path:
 
     Attributes
     ----------
-    pieces : list of (n, 4) arrays
-        Time in s, x, y and height above the lowest point in m, one array per unbroken piece.
-    until : float
+    pieces
+        Time in s, x, y and height above the lowest point in m: an (n, 4) array for each unbroken
+        piece.
+    until
         Time of the last point, s.
-    caption : str
+    caption
         Which part of the motion this is; empty for all of it.
     """
 
@@ -63,14 +64,13 @@ class Path:
         return np.array([[cosine, sine], [-sine, cosine]])
 
 
-def visible_path(motion: ExactMotion, duration: float) -> Path:
+def visible_path(motion: Motion, known: IdealSummary, duration: float) -> Path:
     """Choose and sample what is worth drawing of the first ``duration`` seconds.
 
     After half a turn of the ellipse the rosette is closed, and further swings would only cover the
     first ones; between two neighbours of more than `_ALL` swings no eye sees a gap.
     """
-    known = Constants.of(motion)
-    swing = 2 * math.pi / known.frequency if known.frequency > 0 else math.inf
+    swing = known.swing_period
     half_turn = abs(math.pi / known.precession) if known.precession else math.inf
     window = min(duration, max(half_turn, 12 * swing))
     part = f"the first {spell(window, 's', 3)} of {spell(duration, 's', 3)}"
@@ -86,23 +86,21 @@ def visible_path(motion: ExactMotion, duration: float) -> Path:
     )
 
 
-def _sampled(
-    motion: ExactMotion, known: Constants, start: float, stop: float
-) -> NDArray[np.float64]:
-    fastest = max(known.small_swing, known.frequency, math.sqrt(2 * known.energy) / known.length)
-    turns = (stop - start) * fastest / (2 * math.pi)
+def _sampled(motion: Motion, known: IdealSummary, start: float, stop: float) -> NDArray[np.float64]:
+    turns = (stop - start) * known.fastest / (2 * math.pi)
     count = min(max(math.ceil(turns * _POINTS), 48), 40_000) + 1
     times = np.linspace(start, stop, count)
     position = motion.position(times)
-    return np.column_stack([times, position[:, :2], _height(known.length, position)])
+    return np.column_stack([times, position[:, :2], _height(motion, position)])
 
 
-def _height(length: float, position: NDArray[np.float64]) -> NDArray[np.float64]:
+def _height(motion: Motion, position: NDArray[np.float64]) -> NDArray[np.float64]:
     """Height above the lowest point of the sphere, m.
 
     Below the support it follows from the distance to the vertical, since l − z has no digits left
     for small swings.
     """
+    length = float(motion.effective_pendulum.length)
     x, y, z = position.T
     below = (x * x + y * y) / (length + np.maximum(z, 0.0))
     return np.asarray(np.where(z > 0, below, length - z), dtype=np.float64)

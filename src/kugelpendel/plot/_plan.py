@@ -10,15 +10,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kugelpendel.plot import _ink
-from kugelpendel.plot._constants import Constants
-from kugelpendel.plot._units import significant, spell, unit_for
+from kugelpendel.spelling import significant, spell, unit_for
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.collections import LineCollection
     from numpy.typing import NDArray
 
-    from kugelpendel import ExactMotion
+    from kugelpendel.observables import IdealSummary
     from kugelpendel.plot._ink import Timeline
     from kugelpendel.plot._path import Path
 
@@ -26,10 +25,9 @@ _NARROW = 1 / 8
 """A path that is thinner than this has a second view, stretched sideways."""
 
 
-def draw_plan(axes: Axes, motion: ExactMotion, path: Path, timeline: Timeline) -> LineCollection:
+def draw_plan(axes: Axes, known: IdealSummary, path: Path, timeline: Timeline) -> LineCollection:
     """Draw the path from above, x to the right and y up, to one scale."""
     points = path.points
-    known = Constants.of(motion)
     reach = max(known.outer, known.inner, float(np.hypot(points[:, 1], points[:, 2]).max()))
     if known.rises_above:
         reach = known.length
@@ -77,14 +75,13 @@ def is_narrow(path: Path) -> bool:
     return 1e-12 * along < across < _NARROW * along
 
 
-def draw_stretched(axes: Axes, motion: ExactMotion, path: Path, timeline: Timeline) -> None:
+def draw_stretched(axes: Axes, known: IdealSummary, path: Path, timeline: Timeline) -> None:
     """Draw a narrow path again, along and across its first direction, stretched across."""
     along, across = _extents(path)
     factor = float(f"{0.5 * along / across:.1e}")
     horizontal, vertical = unit_for(along, "m"), unit_for(across, "m")
     sizes = (horizontal.size, vertical.size)
     _draw(axes, path, timeline, path.turn, sizes)
-    known = Constants.of(motion)
     edge = np.linspace(-1.2, 1.2, 121) * across
     for side in (-1, 1):
         axes.plot(
@@ -115,7 +112,7 @@ def draw_stretched(axes: Axes, motion: ExactMotion, path: Path, timeline: Timeli
     )
 
 
-def _draw_circles(axes: Axes, known: Constants, size: float) -> None:
+def _draw_circles(axes: Axes, known: IdealSummary, size: float) -> None:
     """Draw the exact turning circles, with their radii as labels; a mere point is left out."""
     if known.is_cone:
         circles = [(known.outer, _ink.OUTER, "--", "circle of radius")]

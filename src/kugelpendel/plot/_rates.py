@@ -11,7 +11,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
 from kugelpendel.plot import _ink
-from kugelpendel.plot._units import rate_unit, spell_rate
+from kugelpendel.spelling import rate_unit, spell_rate
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kugelpendel.observables import Shares
-    from kugelpendel.plot._units import Unit
+    from kugelpendel.spelling import Unit
 
 # Apart in hue and in lightness, and from the shades behind them.
 _COLOURS = {

@@ -10,14 +10,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kugelpendel.plot import _ink
-from kugelpendel.plot._constants import Constants
-from kugelpendel.plot._units import unit_for
+from kugelpendel.spelling import unit_for
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
-    from kugelpendel import ExactMotion
+    from kugelpendel.observables import IdealSummary
     from kugelpendel.plot._ink import Timeline
     from kugelpendel.plot._path import Path
 
@@ -25,9 +24,8 @@ _WIDE = math.radians(25)
 """From this angle on the whole sphere is shown to one scale; below, heights are stretched."""
 
 
-def draw_side(axes: Axes, motion: ExactMotion, path: Path, timeline: Timeline) -> None:
+def draw_side(axes: Axes, known: IdealSummary, path: Path, timeline: Timeline) -> None:
     """Draw the path from the side, with the turning heights."""
-    known = Constants.of(motion)
     length = known.length
     along = [piece[:, 1:3] @ path.turn[0] for piece in path.pieces]
     top = max(float(path.points[:, 3].max()), known.high)

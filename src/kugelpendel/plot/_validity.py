@@ -8,15 +8,13 @@ from typing import TYPE_CHECKING
 
 import matplotlib as mpl
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
-from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from kugelpendel.plot import _ink
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
     from kugelpendel import ValidityMap
@@ -39,24 +37,21 @@ def validity(
 
     Parameters
     ----------
-    errors : ValidityMap
+    errors
         From `validity_map`.
-    mark : tuple of float or None
+    mark
         a/l and b/a of a pendulum to mark.
-    name : str
+    name
         What to call it.
 
     Returns
     -------
-    Figure
-        Without a window or a global state; `save` writes it.
+    A figure of matplotlib without a window or a global state, which a notebook shows at once;
+    `save` writes it.
     """
     series = errors.errors.series
     with mpl.rc_context(_ink.STYLE):
-        figure = Figure(
-            figsize=(12.5, 10.5), layout=ConstrainedLayoutEngine(w_pad=0.06, h_pad=0.08), dpi=130
-        )
-        FigureCanvasAgg(figure)
+        figure = _ink.blank(12.5, 10.5, w_pad=0.06, h_pad=0.08)
         halves = figure.add_gridspec(2, 1, height_ratios=(1.3, 2))
         top, bottom = halves[0].subgridspec(1, 2), halves[1].subgridspec(2, len(series))
         large = (

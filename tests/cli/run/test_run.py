@@ -133,7 +133,7 @@ def test_results_are_those_of_the_motion(call, write) -> None:
     assert found["largest_angle_rad"] == pytest.approx(math.asin(0.2), rel=1e-14)
     formula = results["formula_25"]
     assert formula["precession_rad_per_s"] == pytest.approx(
-        kp.precession_rate(0.2, 0.1, 1.0, 9.80665), rel=1e-12
+        kp.olsson.precession(0.2, 0.1, 1.0, 9.80665), rel=1e-12
     )
     error = formula["precession_rad_per_s"] / motion.precession - 1
     assert formula["difference_percent"] == pytest.approx(100 * error, rel=1e-9)

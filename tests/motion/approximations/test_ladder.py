@@ -105,9 +105,9 @@ def test_linear_and_olsson_have_the_paper_s_rates() -> None:
     launch = kp.Launch.apsides(0.2, -0.1)
     linear, olsson = (m(PENDULUM, launch) for m in (kp.LinearMotion, kp.OlssonMotion))
     assert (linear.frequency, linear.precession) == (PENDULUM.angular_frequency, 0.0)
-    expected = kp.precession_rate(0.2, -0.1, 1.3, 9.81)
+    expected = kp.olsson.precession(0.2, -0.1, 1.3, 9.81)
     assert olsson.precession == pytest.approx(expected, rel=1e-14)
-    assert olsson.frequency == pytest.approx(kp.swing_frequency(0.2, 0.1, 1.3, 9.81), rel=1e-14)
+    assert olsson.frequency == pytest.approx(kp.olsson.frequency(0.2, 0.1, 1.3, 9.81), rel=1e-14)
 
 
 def test_olsson_is_the_ansatz() -> None:

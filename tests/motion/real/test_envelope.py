@@ -94,7 +94,7 @@ def test_without_forces_it_is_the_exact_motion(a: float, b: float) -> None:
 def test_first_order_rates_are_the_paper_s() -> None:
     mean = kp.EnvelopeMotion(PENDULUM, kp.Launch.apsides(0.2, 0.1), exact=False)
     assert mean.rates(0.0).intrinsic == pytest.approx(
-        kp.precession_rate(0.2, 0.1, 1.3, 9.81), rel=1e-14
+        kp.olsson.precession(0.2, 0.1, 1.3, 9.81), rel=1e-14
     )
     frequency = OMEGA0 * (1 - (0.2**2 + 0.1**2) / (16 * 1.3**2))
     assert (mean.phase(100.0) - mean.phase(0.0)) / 100 == pytest.approx(frequency, rel=1e-13)

@@ -141,7 +141,7 @@ class TestEarth:
     def test_the_intrinsic_precession_comes_on_top(self) -> None:
         launch = kp.Launch.ellipse(0.3, 0.002)
         up = 7.292115e-5 * np.sin(self.latitude)
-        intrinsic = kp.precession_rate(0.3, 0.002 + 0.3 * up / OMEGA, HALL.length, 9.81)
+        intrinsic = kp.olsson.precession(0.3, 0.002 + 0.3 * up / OMEGA, HALL.length, 9.81)
         assert self.plane_turned(launch, 3.0) == pytest.approx(intrinsic - up, rel=3e-3)
 
     def test_southern_hemisphere_turns_the_other_way(self) -> None:

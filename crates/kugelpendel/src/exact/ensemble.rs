@@ -1,6 +1,6 @@
 //! Many motions side by side: one bad case stops nothing, and says why.
 
-use crate::exact::invariants::many::BLOCK;
+use crate::exact::invariants::many::LAUNCHES_PER_BLOCK;
 use crate::exact::motion::ExactMotion;
 use crate::given::invalid::Invalid;
 use crate::given::launch::Launch;
@@ -19,10 +19,10 @@ impl Ensemble {
     /// `case(i)` names the i-th pendulum and launch.
     pub fn new(len: usize, case: impl Fn(usize) -> (Pendulum, Launch) + Sync) -> Self {
         let solve = |block: usize| {
-            let first = block * BLOCK;
-            ExactMotion::solve_block(first..len.min(first + BLOCK), &case)
+            let first = block * LAUNCHES_PER_BLOCK;
+            ExactMotion::solve_block(first..len.min(first + LAUNCHES_PER_BLOCK), &case)
         };
-        let blocks = len.div_ceil(BLOCK);
+        let blocks = len.div_ceil(LAUNCHES_PER_BLOCK);
         #[cfg(feature = "threads")]
         if blocks > 16 {
             use rayon::prelude::*;
@@ -47,7 +47,7 @@ impl Ensemble {
     /// # Panics
     /// If there are not so many.
     pub fn motion(&self, index: usize) -> &Result<ExactMotion, Invalid> {
-        &self.blocks[index / BLOCK][index % BLOCK]
+        &self.blocks[index / LAUNCHES_PER_BLOCK][index % LAUNCHES_PER_BLOCK]
     }
 
     /// Index and reason of each bad case.

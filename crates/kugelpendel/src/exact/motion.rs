@@ -1,9 +1,9 @@
 //! The exact motion of one pendulum from one launch.
 
 use crate::exact::invariants::constants::{Invariants, Turning};
-use crate::exact::invariants::many::BLOCK;
+use crate::exact::invariants::many::LAUNCHES_PER_BLOCK;
 use crate::given::invalid::Invalid;
-use crate::given::launch::{Launch, State};
+use crate::given::launch::{Launch, LaunchState};
 use crate::given::pendulum::Pendulum;
 use crate::numbers::arithmetic::{Arithmetic, dispatch};
 use crate::numbers::double_double::{Dd, Pair};
@@ -31,14 +31,14 @@ pub(crate) struct Start {
 }
 
 dispatch! {
-    /// As many as are given of both, at most BLOCK, all of them checked.
+    /// As many as are given of both, at most LAUNCHES_PER_BLOCK, all of them checked.
     fn solve(cases: &[(Pendulum, Launch)], out: &mut [ExactMotion]) = solve_with
 }
 
 #[inline(always)]
 pub(crate) fn solve_with<A: Arithmetic>(_: A, cases: &[(Pendulum, Launch)], out: &mut [ExactMotion]) {
-    let mut states = [State::<A>::REST; BLOCK];
-    let mut invariants = [Invariants::ZERO; BLOCK];
+    let mut states = [LaunchState::<A>::REST; LAUNCHES_PER_BLOCK];
+    let mut invariants = [Invariants::ZERO; LAUNCHES_PER_BLOCK];
     let count = cases.len();
     let mut known: Option<(f64, f64, Pair)> = None; // the same pendulum launched again and again is common
     for (((pendulum, launch), state), motion) in cases.iter().zip(&mut states).zip(&mut *out) {
@@ -88,7 +88,7 @@ impl ExactMotion {
         omega0: Pair { hi: 1.0, lo: 0.0 },
     };
 
-    /// The same for many, at most BLOCK at a time.
+    /// The same for many, at most LAUNCHES_PER_BLOCK at a time.
     pub(crate) fn solve_block(
         indices: Range<usize>,
         case: impl Fn(usize) -> (Pendulum, Launch),
@@ -101,7 +101,7 @@ impl ExactMotion {
         let verdicts: Vec<_> = cases.iter().map(verdict).collect();
         let good = |index: &usize| verdicts[*index].is_ok();
         let good: Vec<_> = (0..cases.len()).filter(good).map(|index| cases[index]).collect();
-        let mut motions = [Self::UNSOLVED; BLOCK];
+        let mut motions = [Self::UNSOLVED; LAUNCHES_PER_BLOCK];
         solve(&good, &mut motions[..good.len()]);
         let mut motions = motions.into_iter();
         verdicts.into_iter().map(|verdict| verdict.map(|()| motions.next().unwrap_or(Self::UNSOLVED))).collect()

@@ -9,7 +9,7 @@ use crate::exact::chart::Chart;
 use crate::exact::motion::ExactMotion;
 use crate::exact::phase::Clock;
 use crate::exact::plan::Plan;
-use crate::exact::theta::blocks::{Scale, seen_from_outside, series};
+use crate::exact::theta::blocks::{Scale, fill_theta, seen_from_outside};
 use crate::exact::theta::shape::Shape;
 use crate::given::times::{Quantity, Times};
 use crate::numbers::arithmetic::{Arithmetic, dispatch};
@@ -19,7 +19,7 @@ use std::f64::consts::TAU;
 
 /// Times that one thread takes at once; smaller requests stay on the caller's thread.
 #[cfg(feature = "threads")]
-const TASK: usize = 64 * crate::sampling::rotations::BLOCK;
+const TASK: usize = 64 * crate::sampling::rotations::TIMES_PER_BLOCK;
 
 impl ExactMotion {
     /// Fills `out`, three numbers to a time.
@@ -30,8 +30,7 @@ impl ExactMotion {
         if let Times::Scattered(times) = times {
             assert_eq!(3 * times.len(), out.len(), "three numbers to a time");
         }
-        let plan = Plan::new(self, &times);
-        in_tasks(times, out, |times, out| fill_part(&plan, quantity, times, out));
+        Plan::new(self, &times).fill(quantity, times, out);
     }
 }
 
@@ -53,7 +52,7 @@ dispatch! {
 #[inline(always)]
 pub(crate) fn fill_part_with<A: Arithmetic>(_: A, plan: &Plan, quantity: Quantity, times: Times<'_>, out: &mut [f64]) {
     match &plan.chart {
-        Chart::Trigonometric(chart) => series::<A>(plan, chart, quantity, times, out),
+        Chart::Trigonometric(chart) => fill_theta::<A>(plan, chart, quantity, times, out),
         Chart::Hyperbolic(_) | Chart::Still(_) => {
             for (index, triple) in out.chunks_exact_mut(3).enumerate() {
                 triple.copy_from_slice(&plan.point::<A>(quantity, times.at::<A>(index)));
@@ -63,6 +62,11 @@ pub(crate) fn fill_part_with<A: Arithmetic>(_: A, plan: &Plan, quantity: Quantit
 }
 
 impl Plan {
+    /// Fills `out`, three numbers to a time.
+    pub(crate) fn fill(&self, quantity: Quantity, times: Times<'_>, out: &mut [f64]) {
+        in_tasks(times, out, |times, out| fill_part(self, quantity, times, out));
+    }
+
     /// One time, for the charts that are not vectorised.
     #[inline(always)]
     fn point<A: Arithmetic>(&self, quantity: Quantity, time: Pair) -> [f64; 3] {
@@ -74,8 +78,9 @@ impl Plan {
                 let crossed = A::round(sum + small);
                 let fraction = (sum - crossed) + small;
                 // Of the swings completed only oddness counts: each turns the frame by half a turn more.
-                let completed = A::round(time.hi * swings.hi) + crossed;
-                let odd = 0.5 * completed.rem_euclid(2.0);
+                // They are counted in two parts, since beyond 2^53 the sum of the two would be rounded to an even number.
+                let whole_swings = A::round(time.hi * swings.hi);
+                let odd = 0.5 * (whole_swings.rem_euclid(2.0) + crossed.rem_euclid(2.0)).rem_euclid(2.0);
                 let twist = chart.twist();
                 let (whole, rest) = turns::fraction::<A>(frame, time);
                 let direction = turns::cos_sin::<A>(whole, rest + (self.turn + twist * fraction) + odd);

@@ -5,7 +5,7 @@ use crate::exact::phase::Clock;
 use crate::given::times::{Quantity, Times};
 
 /// Times taken together.
-const BLOCK: usize = 256;
+const TENSIONS_PER_BLOCK: usize = 256;
 
 impl ExactMotion {
     /// Pull of the thread at a height s (in lengths), N; negative where a thread would go slack.
@@ -52,8 +52,8 @@ impl ExactMotion {
 
     /// Pull of the thread in N at each time; negative where a thread would be slack and the motion needs a rod.
     pub fn fill_tension(&self, times: &[f64], out: &mut [f64]) {
-        let mut positions = [0.0; 3 * BLOCK];
-        for (times, out) in times.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
+        let mut positions = [0.0; 3 * TENSIONS_PER_BLOCK];
+        for (times, out) in times.chunks(TENSIONS_PER_BLOCK).zip(out.chunks_mut(TENSIONS_PER_BLOCK)) {
             let positions = &mut positions[..3 * times.len()];
             self.fill(Quantity::Position, Times::Scattered(times), positions);
             for (tension, position) in out.iter_mut().zip(positions.chunks_exact(3)) {

@@ -64,7 +64,7 @@ pub(crate) const STATE_NUMBERS: usize = 10;
 
 /// The launch without dimensions: lengths in l, times in 1/ω0. What a motion is computed from.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct State<A> {
+pub(crate) struct LaunchState<A> {
     /// Height above the lowest point, 1 − cos θ, and depth below the highest, 1 + cos θ: each with all its digits.
     pub height: Dd<A>,
     pub depth: Dd<A>,
@@ -166,12 +166,12 @@ impl Launch {
 
     /// The dimensionless state; the launch has been checked.
     #[inline(always)]
-    pub(crate) fn state<A: Arithmetic>(&self, pendulum: &Pendulum, omega0: Dd<A>) -> State<A> {
+    pub(crate) fn state<A: Arithmetic>(&self, pendulum: &Pendulum, omega0: Dd<A>) -> LaunchState<A> {
         let length = Dd::<A>::from(pendulum.length);
         match *self {
             Self::Ellipse { a, b, azimuth } => {
                 let (a, b) = (Dd::from(a) / length, Dd::from(b) / length);
-                State::sideways(height_at(a.square()), a, b, azimuth)
+                LaunchState::sideways(height_at(a.square()), a, b, azimuth)
             }
             Self::Apsides { a, b, azimuth } => {
                 let sense = b;
@@ -182,7 +182,7 @@ impl Launch {
                 let third = two + outer * inner / (two - outer - inner);
                 // λ/ρ_a = √(2 s_b s_c/(2 − s_a)); √(s_b) = b/√(2 − s_b) keeps a tiny b's digits.
                 let speed = b * (third.scale(2.0) / ((two - inner) * (two - outer))).sqrt();
-                State::sideways(outer, a, if sense < 0.0 { -speed } else { speed }, azimuth)
+                LaunchState::sideways(outer, a, if sense < 0.0 { -speed } else { speed }, azimuth)
             }
             Self::Plane { x, y, vx, vy } => {
                 let speed_unit = length * omega0;
@@ -190,7 +190,7 @@ impl Launch {
                 let outward = (Dd::product(x, vx) + Dd::product(y, vy)) / (length * speed_unit);
                 let climb = outward / (Dd::ONE - height);
                 let plan_speed_squared = Dd::product(vx, vx) + Dd::product(vy, vy);
-                State {
+                LaunchState {
                     height,
                     depth: Dd::from(2.0) - height,
                     climb,
@@ -208,7 +208,7 @@ impl Launch {
                 let (polar, azimuthal) = (Dd::from(theta_rate) / omega0, sine * (Dd::from(phi_rate) / omega0));
                 let (sin_phi, cos_phi) = phi.sin_cos();
                 let outward = (Dd::ONE - height).hi * polar.hi;
-                State {
+                LaunchState {
                     height,
                     depth,
                     climb: sine * polar,
@@ -233,7 +233,7 @@ impl Launch {
                 let radial = (Dd::product(x, vx) + Dd::product(y, vy) + Dd::product(z, vz)) / radius;
                 // The radial part, which is rounding, is taken away; from x·vy − y·vx it drops out by itself.
                 let share = (radial / radius).hi;
-                State {
+                LaunchState {
                     height,
                     depth,
                     climb: (radial * cosine - Dd::from(vz)) / speed_unit,
@@ -247,7 +247,7 @@ impl Launch {
     }
 }
 
-impl<A: Arithmetic> State<A> {
+impl<A: Arithmetic> LaunchState<A> {
     pub(crate) const REST: Self = Self {
         height: Dd::ZERO,
         depth: Dd::raw(2.0, 0.0),

@@ -44,6 +44,14 @@ impl Pendulum {
         (self.gravity / self.length).sqrt()
     }
 
+    /// The pull of the thread in N on a bob with this position from the support in m and this velocity in m/s.
+    ///
+    /// Negative where only a rod could hold it. Source: Olsson (1981), equation (5a), m(g cos θ + v²/l).
+    pub fn pull(&self, position: [f64; 3], velocity: [f64; 3]) -> f64 {
+        let square = velocity.iter().map(|v| v * v).sum::<f64>();
+        self.mass * (self.gravity * position[2] + square) / self.length
+    }
+
     #[inline(always)]
     pub(crate) fn precise_angular_frequency<A: Arithmetic>(&self) -> Dd<A> {
         (Dd::from(self.gravity) / Dd::from(self.length)).sqrt()

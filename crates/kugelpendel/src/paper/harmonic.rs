@@ -3,14 +3,22 @@
 //! x + iy = e^{i(Ωt + …)} (cos ζ·P(sin² ζ) + i sin ζ·Q(sin² ζ)), ζ = π/2 at the first highest point, and z on the lower
 //! half of the sphere.
 
+use crate::exact::motion::ExactMotion;
 use crate::exact::sampling::in_tasks;
 use crate::exact::theta::shape::product;
-use crate::given::times::{Quantity, Times};
+use crate::given::invalid::{Invalid, require};
+use crate::given::launch::Launch;
+use crate::given::pendulum::Pendulum;
+use crate::given::times::{Quantity, StateVector, Times};
+use crate::meaning::events::events_on_a_grid;
+use crate::meaning::olsson;
 use crate::numbers::arithmetic::{Arithmetic, Portable, dispatch, horner};
 use crate::numbers::double_double::Dd;
-use crate::sampling::blocks::{Form, Hands, blocks};
+use crate::sampling::blocks::{Form, SwingAndFrame, blocks};
 use crate::sampling::rotations::{Rotations, half, rotations};
-use std::f64::consts::TAU;
+use crate::taylor::events::Event;
+use std::convert::Infallible;
+use std::f64::consts::{PI, TAU};
 
 /// Powers of sin² ζ beyond the first: harmonics up to the thirteenth.
 pub const MAX_POWER: usize = 6;
@@ -18,22 +26,31 @@ pub const MAX_POWER: usize = 6;
 /// Coefficients of P or of Q.
 pub type Powers = [f64; MAX_POWER + 1];
 
-/// A figure and its two rates.
+/// The law by which a figure moves: its two rates, and with them the equation of the paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HarmonicLaw {
+    /// The standing ellipse of infinitesimal swings, (16).
+    Linear,
+    /// The turning ellipse, (20), with its rates from (25) and (26).
+    Olsson,
+}
+
+/// A figure of a few harmonics that turns, and its two rates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HarmonicMotion {
-    /// m.
-    pub length: f64,
-    /// ω, rad/s.
+    /// The pendulum, of which the length makes the sphere.
+    pub pendulum: Pendulum,
+    /// The frequency ω of the swing in the turning frame, in rad/s.
     pub frequency: f64,
-    /// Ω, rad/s, positive counter-clockwise seen from above.
+    /// The precession Ω of that frame, in rad/s, positive counter-clockwise seen from above.
     pub precession: f64,
-    /// s, a time at the outer turning point.
+    /// A time at an outer turning point, in s.
     pub apsis_time: f64,
-    /// rad, of that point.
+    /// The azimuth of that point, in rad.
     pub apsis_azimuth: f64,
-    /// P in m: its constant is the inner semi-axis, signed.
+    /// The coefficients of P, in m: the first is the inner semi-axis, positive counter-clockwise seen from above.
     pub inner: Powers,
-    /// Q in m: its sum is the outer semi-axis.
+    /// The coefficients of Q, in m: their sum is the outer semi-axis.
     pub outer: Powers,
 }
 
@@ -71,6 +88,70 @@ impl<A: Arithmetic, const DEGREE: usize> Form<A> for Figure<DEGREE> {
 }
 
 impl HarmonicMotion {
+    /// The ellipse through the exact turning points of a launch, with the phase of its first outer one.
+    ///
+    /// What differs from the exact motion is the law alone.
+    ///
+    /// # Errors
+    /// What [`ExactMotion::new`] refuses, and a path that rises to the support or above it.
+    pub fn new(pendulum: Pendulum, launch: Launch, law: HarmonicLaw) -> Result<Self, Invalid> {
+        let exact = ExactMotion::new(pendulum, launch)?;
+        let height = exact.turning_heights()[0];
+        require!(
+            height < pendulum.length,
+            "This approximation holds below the support, but this launch rises to {height:.6} m above the lowest point, \
+             and the length is {:?} m; use ExactMotion.",
+            pendulum.length
+        );
+        let [a, b] = exact.turning_radii();
+        let b = if exact.angular_momentum() < 0.0 { -b } else { b };
+        let (frequency, precession) = match law {
+            HarmonicLaw::Linear => (pendulum.angular_frequency(), 0.0),
+            HarmonicLaw::Olsson => (olsson::frequency(a, b, &pendulum), olsson::precession(a, b, &pendulum)),
+        };
+        let powers = |first: f64| std::array::from_fn(|k| if k == 0 { first } else { 0.0 });
+        Ok(Self {
+            pendulum,
+            frequency,
+            precession,
+            apsis_time: exact.apsis_time(),
+            apsis_azimuth: exact.apsis_azimuth(),
+            inner: powers(b),
+            outer: powers(a),
+        })
+    }
+
+    /// The same turning points and phase under other rates in rad/s and another figure in m.
+    pub fn with_figure(self, frequency: f64, precession: f64, inner: Powers, outer: Powers) -> Self {
+        Self { frequency, precession, inner, outer, ..self }
+    }
+
+    /// The outer semi-axis and the inner one, in m, the latter positive counter-clockwise seen from above.
+    pub fn semi_axes(&self) -> [f64; 2] {
+        [self.outer.iter().sum(), self.inner[0]]
+    }
+
+    /// The times of an event from `start` to `end`, in s, at most `most` of them; none of a turning point on a circle.
+    pub fn events(&self, event: Event, between: [f64; 2], most: usize) -> Vec<f64> {
+        let states = |times: &[f64]| -> Result<Vec<StateVector>, Infallible> {
+            let mut filled = [Quantity::Position, Quantity::Velocity].map(|quantity| {
+                let mut out = vec![0.0; 3 * times.len()];
+                self.fill(quantity, Times::Scattered(times), &mut out);
+                out.into_iter()
+            });
+            let [positions, velocities] = &mut filled;
+            let mut state =
+                || std::array::from_fn(|k| if k < 3 { positions.next() } else { velocities.next() }.unwrap_or(0.0));
+            Ok(times.iter().map(|_| state()).collect())
+        };
+        if self.semi_axes()[0] == 0.0 {
+            return Vec::new();
+        }
+        let step = PI / (24.0 * self.frequency);
+        let Ok(times) = events_on_a_grid(event, between, step, most, &self.pendulum, states);
+        times
+    }
+
     /// Fills `out`, three numbers to a time.
     ///
     /// # Panics
@@ -85,7 +166,7 @@ impl HarmonicMotion {
             Times::Grid { step, .. } => Some(rotations(step, swings, frame)),
             Times::Scattered(_) => None,
         };
-        let hands = Hands {
+        let angles = SwingAndFrame {
             swing: half(swings),
             frame,
             start: [
@@ -93,7 +174,7 @@ impl HarmonicMotion {
                 self.apsis_azimuth / TAU - 0.25 - frame.hi * self.apsis_time,
             ],
         };
-        let request = Request { motion: self, hands, table, quantity };
+        let request = Request { motion: self, angles, table, quantity };
         in_tasks(times, out, |times, out| fill_part(&request, times, out));
     }
 
@@ -111,7 +192,7 @@ impl HarmonicMotion {
             outer_rate[n] = (2 * n + 1) as f64 * self.outer[n];
         }
         Figure {
-            length: self.length,
+            length: self.pendulum.length,
             swing: self.frequency,
             frame: self.precession,
             inner: self.inner,
@@ -125,7 +206,7 @@ impl HarmonicMotion {
 /// What is the same for every time.
 struct Request<'a> {
     motion: &'a HarmonicMotion,
-    hands: Hands,
+    angles: SwingAndFrame,
     table: Option<Box<Rotations>>,
     quantity: Quantity,
 }
@@ -136,11 +217,11 @@ dispatch! {
 
 #[inline(always)]
 fn fill_part_with<A: Arithmetic>(_: A, request: &Request<'_>, times: Times<'_>, out: &mut [f64]) {
-    let Request { motion, hands, table, quantity } = request;
+    let Request { motion, angles, table, quantity } = request;
     macro_rules! fill {
         ($($degree:literal)+) => {
             match motion.degree() {
-                $($degree => blocks::<A>(&motion.figure::<$degree>(), hands, table.as_deref(), *quantity, times, out),)+
+                $($degree => blocks::<A>(&motion.figure::<$degree>(), angles, table.as_deref(), *quantity, times, out),)+
                 degree => unreachable!("{degree} is beyond {MAX_POWER}"),
             }
         };

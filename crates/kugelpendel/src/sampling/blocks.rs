@@ -5,7 +5,7 @@ use crate::given::times::{Quantity, Times};
 use crate::numbers::arithmetic::Arithmetic;
 use crate::numbers::double_double::Pair;
 use crate::numbers::turns;
-use crate::sampling::rotations::{BLOCK, Rotations};
+use crate::sampling::rotations::{Rotations, TIMES_PER_BLOCK};
 
 /// One swing's form: x, y, z or their rates, given cosine and sine of ζ and of the frame's angle.
 pub(crate) trait Form<A> {
@@ -20,13 +20,13 @@ trait Directions<A> {
 }
 
 /// ζ and the frame's angle as functions of the time, in turns.
-pub(crate) struct Hands {
+pub(crate) struct SwingAndFrame {
     pub(crate) swing: Pair,
     pub(crate) frame: Pair,
     pub(crate) start: [f64; 2],
 }
 
-impl Hands {
+impl SwingAndFrame {
     #[inline(always)]
     fn at<A: Arithmetic>(&self, time: Pair) -> [[f64; 2]; 2] {
         let (whole, rest) = turns::fraction::<A>(self.swing, time);
@@ -37,14 +37,14 @@ impl Hands {
 }
 
 struct Scattered<'a> {
-    hands: &'a Hands,
+    angles: &'a SwingAndFrame,
     times: &'a [f64],
 }
 
 impl<A: Arithmetic> Directions<A> for Scattered<'_> {
     #[inline(always)]
     fn at(&self, k: usize) -> [[f64; 2]; 2] {
-        self.hands.at::<A>(Pair { hi: self.times[k], lo: 0.0 })
+        self.angles.at::<A>(Pair { hi: self.times[k], lo: 0.0 })
     }
 }
 
@@ -68,20 +68,20 @@ impl<A: Arithmetic> Directions<A> for Grid<'_> {
 #[inline(always)]
 pub(crate) fn blocks<A: Arithmetic>(
     form: &impl Form<A>,
-    hands: &Hands,
+    angles: &SwingAndFrame,
     table: Option<&Rotations>,
     quantity: Quantity,
     times: Times<'_>,
     out: &mut [f64],
 ) {
-    for (block, out) in out.chunks_mut(3 * BLOCK).enumerate() {
-        let (first, count) = (block * BLOCK, out.len() / 3);
+    for (block, out) in out.chunks_mut(3 * TIMES_PER_BLOCK).enumerate() {
+        let (first, count) = (block * TIMES_PER_BLOCK, out.len() / 3);
         match (times, table) {
             (Times::Scattered(times), _) => {
-                evaluate::<A>(form, quantity, &Scattered { hands, times: &times[first..first + count] }, out);
+                evaluate::<A>(form, quantity, &Scattered { angles, times: &times[first..first + count] }, out);
             }
             (Times::Grid { .. }, Some(table)) => {
-                evaluate::<A>(form, quantity, &Grid { anchor: hands.at::<A>(times.at::<A>(first)), table }, out);
+                evaluate::<A>(form, quantity, &Grid { anchor: angles.at::<A>(times.at::<A>(first)), table }, out);
             }
             (Times::Grid { .. }, None) => unreachable!("a grid comes with its table of rotations"),
         }
@@ -99,7 +99,7 @@ fn evaluate<A: Arithmetic>(form: &impl Form<A>, quantity: Quantity, directions: 
 #[inline(always)]
 fn each<A: Arithmetic, const RATES: bool>(form: &impl Form<A>, directions: &impl Directions<A>, out: &mut [f64]) {
     let (triples, _) = out.as_chunks_mut::<3>();
-    for k in 0..triples.len().min(BLOCK) {
+    for k in 0..triples.len().min(TIMES_PER_BLOCK) {
         let [swing, direction] = directions.at(k);
         triples[k] = form.point::<RATES>(swing, direction);
     }

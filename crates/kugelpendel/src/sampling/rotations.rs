@@ -5,12 +5,12 @@ use crate::numbers::double_double::{Dd, Pair};
 use crate::numbers::turns;
 
 /// Times taken together.
-pub(crate) const BLOCK: usize = 384;
+pub(crate) const TIMES_PER_BLOCK: usize = 384;
 
 /// Of the swing and of the frame, over the steps of one block of a grid.
 pub(crate) struct Rotations {
-    pub(crate) swing: [[f64; BLOCK]; 2],
-    pub(crate) frame: [[f64; BLOCK]; 2],
+    pub(crate) swing: [[f64; TIMES_PER_BLOCK]; 2],
+    pub(crate) frame: [[f64; TIMES_PER_BLOCK]; 2],
 }
 
 dispatch! {
@@ -19,8 +19,8 @@ dispatch! {
 
 #[inline(always)]
 fn rotations_with<A: Arithmetic>(_: A, step: f64, swings: Pair, frame: Pair) -> Box<Rotations> {
-    let mut table = Box::new(Rotations { swing: [[0.0; BLOCK]; 2], frame: [[0.0; BLOCK]; 2] });
-    for k in 0..BLOCK {
+    let mut table = Box::new(Rotations { swing: [[0.0; TIMES_PER_BLOCK]; 2], frame: [[0.0; TIMES_PER_BLOCK]; 2] });
+    for k in 0..TIMES_PER_BLOCK {
         let time = Dd::<A>::product(step, k as f64).pair();
         let (whole, rest) = turns::fraction::<A>(half(swings), time);
         [table.swing[0][k], table.swing[1][k]] = turns::cos_sin::<A>(whole, rest);

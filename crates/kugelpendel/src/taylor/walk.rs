@@ -1,6 +1,6 @@
 //! A motion, step by step, with everything that is asked about a stretch of time read off in one pass.
 
-use crate::given::times::both_ways;
+use crate::given::times::{StateVector, both_ways};
 use crate::numbers::double_double::Pair;
 use crate::taylor::events::Event;
 use crate::taylor::step::{Checkpoint, Ending, Step, dimensionless, happens};
@@ -20,15 +20,6 @@ pub(crate) trait Stepper {
     fn omega0(&self) -> Pair;
     /// m.
     fn length(&self) -> f64;
-}
-
-/// Where the bob is, and how fast it moves.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StateVector {
-    /// x, y, z in m from the support, z down.
-    pub position: [f64; 3],
-    /// Their rates in m/s.
-    pub velocity: [f64; 3],
 }
 
 /// The bob at an event.
@@ -113,6 +104,8 @@ struct Side {
     stride: u64,
     recent: VecDeque<Checkpoint>,
     ended: Option<(f64, Ending)>,
+    /// An end has been looked for, as far as it is.
+    searched: bool,
 }
 
 impl Walk {
@@ -135,7 +128,15 @@ impl Walk {
             let launch = motion.launch();
             let step = Step::before(launch);
             let checkpoints = vec![launch];
-            Box::new(Side { direction, step, checkpoints, stride: 1, recent: VecDeque::new(), ended: None })
+            Box::new(Side {
+                direction,
+                step,
+                checkpoints,
+                stride: 1,
+                recent: VecDeque::new(),
+                ended: None,
+                searched: false,
+            })
         });
         let is_past = |checkpoint: &Checkpoint| checkpoint.since(time) * direction >= 0.0;
         let spread = side.checkpoints.partition_point(|checkpoint| is_past(checkpoint));
@@ -298,12 +299,12 @@ fn sweep(
 fn write(motion: &impl Stepper, step: &Step, since: f64, index: usize, readings: &mut Readings<'_>) {
     let triple = 3 * index..3 * index + 3;
     if !readings.position.is_empty() || !readings.velocity.is_empty() {
-        let StateVector { position, velocity } = motion.state(step, since);
+        let state = motion.state(step, since);
         if let Some(out) = readings.position.get_mut(triple.clone()) {
-            out.copy_from_slice(&position);
+            out.copy_from_slice(&state[..3]);
         }
         if let Some(out) = readings.velocity.get_mut(triple) {
-            out.copy_from_slice(&velocity);
+            out.copy_from_slice(&state[3..]);
         }
     }
     if let Some(out) = readings.tension.get_mut(index) {
@@ -346,7 +347,8 @@ pub(crate) fn find_end(
     let mut progress = walk.seek(motion, usize::from(!forwards), Pair { hi: 0.0, lo: 0.0 });
     loop {
         let end = progress.end(omega0);
-        if end.is_some() || enough(&progress.side.step) {
+        if end.is_some() || progress.side.searched || enough(&progress.side.step) {
+            progress.side.searched = true;
             return Ok(end);
         }
         progress.advance(motion);

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,6 +10,7 @@ import kugelpendel as kp
 from kugelpendel import plot
 from kugelpendel.cli.compare.report import print_comparison
 from kugelpendel.cli.job_file.job import read_job
+from kugelpendel.cli.json_text import json_text
 from kugelpendel.cli.output import staged
 from kugelpendel.cli.terminal.describe import describe_launch
 
@@ -90,4 +90,4 @@ def _as_json(job: Job, comparison: kp.Comparison) -> str:
             for row in comparison.rows
         },
     }
-    return json.dumps(tables, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    return json_text(tables)

@@ -6,8 +6,8 @@ import math
 import sys
 from typing import TYPE_CHECKING
 
-from kugelpendel.cli.terminal.describe import describe_launch, describe_pendulum, minus
-from kugelpendel.plot import significant, spell, spell_percent, spell_rate
+from kugelpendel.cli.terminal.describe import describe_launch, describe_pendulum
+from kugelpendel.spelling import minus, significant, spell, spell_percent, spell_rate
 
 if TYPE_CHECKING:
     from rich.table import Table

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import sys
 from pathlib import Path
@@ -12,6 +11,7 @@ import kugelpendel as kp
 from kugelpendel import plot
 from kugelpendel.cli.design.design_file import read_questions
 from kugelpendel.cli.design.report import print_design
+from kugelpendel.cli.json_text import json_text
 from kugelpendel.cli.output import staged
 from kugelpendel.cli.terminal.progress import Progress
 
@@ -99,7 +99,7 @@ def _as_json(questions: Questions, found: kp.Design) -> str:
         "rates_at_the_start_rad_per_s": found.rates,
         "answers": [_answer(answer) for answer in found.answers],
     }
-    return json.dumps(tables, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    return json_text(tables)
 
 
 def _answer(answer: kp.Answer) -> dict[str, Any]:

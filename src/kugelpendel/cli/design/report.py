@@ -7,8 +7,16 @@ from itertools import groupby
 from typing import TYPE_CHECKING
 
 from kugelpendel.cli.compare.report import plain_table, print_table
-from kugelpendel.cli.terminal.describe import degrees, describe_pendulum, given, minus
-from kugelpendel.plot import significant, spell, spell_percent, spell_rate
+from kugelpendel.cli.terminal.describe import describe_pendulum
+from kugelpendel.spelling import (
+    as_given,
+    degrees,
+    minus,
+    significant,
+    spell,
+    spell_percent,
+    spell_rate,
+)
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -35,7 +43,7 @@ def print_design(questions: Questions, design: kp.Design) -> None:
     """Print the numbers, group by group, and then where they come from."""
     case = design.case
     lines = [("Pendulum", describe_pendulum(case.pendulum, questions.setup.has_mass))]
-    swing = f"a = {given(case.a, 'm')}, b = {given(case.b, 'm')}"
+    swing = f"a = {as_given(case.a, 'm')}, b = {as_given(case.b, 'm')}"
     angle = math.degrees(math.asin(case.a / case.length))
     lines.append(("Swing", f"{swing}, {significant(angle, 4)}° to either side"))
     if case.site is not None:

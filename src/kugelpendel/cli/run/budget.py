@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kugelpendel.observables import CAUSES
-from kugelpendel.plot import rate_unit, significant, spell
+from kugelpendel.spelling import rate_unit, significant, spell
 
 if TYPE_CHECKING:
     from kugelpendel.observables import Shares, Stretch

@@ -12,7 +12,6 @@ from kugelpendel import plot
 from kugelpendel.cli.job_file.job import read_job
 from kugelpendel.cli.output import staged
 from kugelpendel.cli.run import ideal_json
-from kugelpendel.cli.run.answer import find
 from kugelpendel.cli.run.ideal_report import report
 from kugelpendel.cli.run.real import run_real
 from kugelpendel.cli.terminal.describe import describe_launch
@@ -61,21 +60,21 @@ def _run_ideal(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]
         motion = kp.ExactMotion(job.pendulum, job.launch)
     except kp.InvalidInput as error:
         raise kp.InvalidInput(f"{job.file}: {error}") from error
-    answer = find(motion)
+    summary = kp.IdealSummary.of(motion)
     track = FILES[job.format]
     files = [track, FIGURE] if job.figure else [track]
-    results = ideal_json.as_json(job, answer, files)
+    results = ideal_json.as_json(job, summary, files)
     with staged(target, (*FILES.values(), FIGURE, ideal_json.FILE)) as temporary:
         with Progress("Writing the track", job.grid.count) as progress:
             write_track(temporary / track, motion, job.grid, job.format, progress.advance)
         if job.figure:
             title = f"{title}: {describe_launch(job)}"
-            figure = plot.overview(motion, job.grid.duration, answer.formula_25, title)
+            figure = plot.overview(motion, job.grid.duration, summary.formula_25, title)
             plot.save(figure, temporary / FIGURE)
         (temporary / ideal_json.FILE).write_text(results, encoding="utf-8")
     samples = f"{job.grid.count:,}".replace(",", " ")
     named = [f"{files[0]} ({samples} samples)", *files[1:], ideal_json.FILE]
-    return results, report(job, answer), named
+    return results, report(job, summary), named
 
 
 def _capitalised(stem: str) -> str:

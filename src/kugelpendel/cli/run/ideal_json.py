@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import json
 import math
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 from kugelpendel.cli.job_file.job import LAUNCHES
+from kugelpendel.cli.json_text import json_text
+from kugelpendel.cli.run.ideal_report import why_no_25
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from kugelpendel import IdealSummary
     from kugelpendel.cli.job_file.job import Job
-    from kugelpendel.cli.run.answer import Answer
 
 FILE = "results.json"
 
@@ -24,14 +25,14 @@ _UNIT = {
 }
 
 
-def as_json(job: Job, answer: Answer, files: Sequence[str]) -> str:
+def as_json(job: Job, summary: IdealSummary, files: Sequence[str]) -> str:
     """All numbers as JSON text.
 
     Parameters
     ----------
     job : Job
         What was asked.
-    answer : Answer
+    summary : IdealSummary
         What was found. What is infinite or does not exist is null.
     files : sequence of str
         Names of the other files in the output folder.
@@ -40,17 +41,17 @@ def as_json(job: Job, answer: Answer, files: Sequence[str]) -> str:
         "about": "kugelpendel: SI units, named in the keys; azimuths and the signs of rates are "
         "positive counter-clockwise seen from above; null is infinite or not there",
         **describe_start(job),
-        "motion": _motion(answer),
+        "motion": _motion(summary),
         "formula_25": {
-            "precession_rad_per_s": answer.formula_25,
-            "difference_percent": None if answer.error_25 is None else 100 * answer.error_25,
-            "why_it_does_not_apply": answer.why_not or None,
+            "precession_rad_per_s": summary.formula_25,
+            "difference_percent": None if summary.error_25 is None else 100 * summary.error_25,
+            "why_it_does_not_apply": why_no_25(summary) or None,
         },
         "tension": {
-            "least_N": answer.tension[0],
-            "most_N": answer.tension[1],
-            "goes_slack": answer.slack_time < math.inf,
-            "first_slack_s": answer.slack_time,
+            "least_N": summary.tension[0],
+            "most_N": summary.tension[1],
+            "goes_slack": summary.slack_time < math.inf,
+            "first_slack_s": summary.slack_time,
         },
         "output": {
             "duration_s": job.grid.duration,
@@ -64,7 +65,7 @@ def as_json(job: Job, answer: Answer, files: Sequence[str]) -> str:
 
 def to_json(tables: dict[str, Any]) -> str:
     """The tables as JSON text, with null in place of what is not finite."""
-    return json.dumps(_finite(tables), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    return json_text(tables)
 
 
 def describe_start(job: Job) -> dict[str, Any]:
@@ -89,37 +90,25 @@ def _launch(job: Job, arguments: Sequence[str]) -> dict[str, Any]:
     return {f"{name}_{_UNIT[name]}": value for name, value in named}
 
 
-def _motion(answer: Answer) -> dict[str, Any]:
-    known = answer.known
+def _motion(summary: IdealSummary) -> dict[str, Any]:
     return {
-        "regime": answer.regime,
-        "sense_seen_from_above": {1: "counter-clockwise", -1: "clockwise", 0: None}[answer.sense],
-        "frequency_rad_per_s": known.frequency,
-        "swing_period_s": answer.swing_period,
-        "radial_period_s": known.radial_period,
-        "precession_rad_per_s": known.precession,
-        "precession_deg_per_h": math.degrees(known.precession) * 3600,
-        "turning_rad_per_s": answer.turning,
-        "turning_less_whole_turns": answer.whole_turns,
-        "full_turn_s": answer.full_turn,
-        "once_round_s": answer.once_round,
-        "apsidal_angle_rad": known.apsidal_angle,
-        "outer_turning_radius_m": known.outer,
-        "inner_turning_radius_m": known.inner,
-        "highest_turning_point_m": known.high,
-        "lowest_turning_point_m": known.low,
-        "largest_angle_rad": answer.largest_angle,
-        "energy_J_per_kg": answer.energy,
-        "angular_momentum_m2_per_s": known.angular_momentum,
+        "regime": summary.regime,
+        "sense_seen_from_above": {1: "counter-clockwise", -1: "clockwise", 0: None}[summary.sense],
+        "frequency_rad_per_s": summary.frequency,
+        "swing_period_s": summary.swing_period,
+        "radial_period_s": float(summary.motion.radial_period),
+        "precession_rad_per_s": summary.precession,
+        "precession_deg_per_h": math.degrees(summary.precession) * 3600,
+        "turning_rad_per_s": summary.turning,
+        "turning_less_whole_turns": summary.whole_turns,
+        "full_turn_s": summary.full_turn,
+        "once_round_s": summary.once_round,
+        "apsidal_angle_rad": float(summary.motion.apsidal_angle),
+        "outer_turning_radius_m": summary.outer,
+        "inner_turning_radius_m": summary.inner,
+        "highest_turning_point_m": summary.high,
+        "lowest_turning_point_m": summary.low,
+        "largest_angle_rad": summary.largest_angle,
+        "energy_J_per_kg": float(summary.motion.energy),
+        "angular_momentum_m2_per_s": float(summary.motion.angular_momentum),
     }
-
-
-def _finite(value: Any) -> Any:
-    """The same tables with null in place of what JSON cannot say."""
-    if isinstance(value, dict):
-        return {key: _finite(entry) for key, entry in cast("dict[str, Any]", value).items()}
-    if isinstance(value, list):
-        return [_finite(entry) for entry in cast("list[Any]", value)]
-    if isinstance(value, float):
-        return value if math.isfinite(value) else None
-    return value

@@ -24,7 +24,7 @@ from kugelpendel.cli.terminal.interrupted import Interrupted
 from kugelpendel.cli.terminal.progress import Progress
 from kugelpendel.cli.track.track import FIGURE, FILES
 from kugelpendel.motion import refuse_pumping
-from kugelpendel.plot import spell
+from kugelpendel.spelling import spell
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -11,7 +11,7 @@ import numpy as np
 from kugelpendel.cli.run.budget import describe_pace, shares_table
 from kugelpendel.cli.terminal.describe import describe_launch, describe_pendulum
 from kugelpendel.cli.terminal.describe_forces import describe_surroundings
-from kugelpendel.plot import significant, spell, spell_percent, spell_rate
+from kugelpendel.spelling import significant, spell, spell_percent, spell_rate
 
 if TYPE_CHECKING:
     from kugelpendel.cli.job_file.job import Job

@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from kugelpendel.cli.terminal.describe import degrees, given, minus
-from kugelpendel.plot import spell, unit_for
+from kugelpendel.spelling import as_given, degrees, general, spell, unit_for
 
 if TYPE_CHECKING:
     import kugelpendel as kp
@@ -35,7 +34,7 @@ def _site(site: kp.Site) -> str:
     latitude = float(site.latitude)
     side = "N" if latitude >= 0 else "S"
     source = "as given" if site.gravity_given else "WGS84 normal gravity"
-    return f"{degrees(abs(latitude))} {side}, g = {float(site.gravity):.6g} m/s² ({source})"
+    return f"{degrees(abs(latitude))} {side}, g = {general(float(site.gravity))} m/s² ({source})"
 
 
 def _drag(drag: kp.Drag, frequency: float) -> str:
@@ -45,10 +44,10 @@ def _drag(drag: kp.Drag, frequency: float) -> str:
         half_life = spell(math.log(2) / linear, "s")
         parts.append(
             f"linear, amplitude halves in {half_life} "
-            f"(γ = {_plain(linear)} 1/s, Q = {frequency / (2 * linear):.4g})"
+            f"(γ = {general(linear, 4)} 1/s, Q = {general(frequency / (2 * linear), 4)})"
         )
     if quadratic:
-        parts.append(f"quadratic, c = {_plain(quadratic)} 1/m")
+        parts.append(f"quadratic, c = {general(quadratic, 4)} 1/m")
     return "; ".join(parts) or "none"
 
 
@@ -57,33 +56,27 @@ def _suspension(suspension: kp.Suspension, frequency: float) -> list[str]:
     parts: list[str] = []
     if stiffness:
         way = "faster" if stiffness > 0 else "slower"
-        share = _plain(abs(stiffness) / frequency)
-        parts.append(
-            f"{way} by {share} along {degrees(axis)} than across (δ = {_plain(stiffness)} rad/s)"
-        )
+        share, delta = general(abs(stiffness) / frequency, 4), general(stiffness, 4)
+        parts.append(f"{way} by {share} along {degrees(axis)} than across (δ = {delta} rad/s)")
     if damping:
-        parts.append(f"decay {_plain(damping)} 1/s faster along {degrees(damping_axis)}")
+        parts.append(f"decay {general(damping, 4)} 1/s faster along {degrees(damping_axis)}")
     return parts or ["alike in all directions"]
 
 
 def _bob(bob: kp.Bob) -> str:
     thread = float(bob.thread_mass)
-    on = f" on a thread of {given(thread, 'kg')}" if thread else ""
+    on = f" on a thread of {as_given(thread, 'kg')}" if thread else ""
     radius, mass = spell(float(bob.radius), "m"), spell(float(bob.mass), "kg")
-    return f"ball of {radius} radius, {float(bob.density):.6g} kg/m³, {mass}{on}"
+    return f"ball of {radius} radius, {general(float(bob.density))} kg/m³, {mass}{on}"
 
 
 def _drive(drive: kp.Drive) -> str:
     push = float(drive.push)
     way = "outwards" if push > 0 else "inwards"
     unit = unit_for(push, "m/s")
-    strength = f"{abs(push) / unit.size:.4g} {unit.symbol}"
+    strength = f"{general(abs(push) / unit.size, 4)} {unit.symbol}"
     if drive.phase is not None:
         when = f"{degrees(float(drive.phase))} of phase after each closest approach"
     else:
-        when = f"on the way out, {given(float(drive.radius or 0.0), 'm')} from the axis"
+        when = f"on the way out, {as_given(float(drive.radius or 0.0), 'm')} from the axis"
     return f"{strength} {way}, {when}"
-
-
-def _plain(value: float) -> str:
-    return minus(f"{value:.4g}")

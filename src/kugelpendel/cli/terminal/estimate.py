@@ -8,7 +8,7 @@ import time
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
-from kugelpendel.plot import spell
+from kugelpendel.spelling import spell
 
 if TYPE_CHECKING:
     from types import TracebackType

@@ -7,7 +7,7 @@
 
 use crate::exact::invariants::cubic::smaller_root;
 use crate::exact::invariants::zeta::mean_and_sums;
-use crate::given::launch::State;
+use crate::given::launch::LaunchState;
 use crate::numbers::arithmetic::Arithmetic;
 use crate::numbers::double_double::{Dd, Pair};
 
@@ -64,7 +64,7 @@ impl Invariants {
 
     /// With QUICK, a fixed number of steps and no branch, and whether they were enough.
     #[inline(always)]
-    pub(crate) fn of<A: Arithmetic, const QUICK: bool>(state: &State<A>) -> Self {
+    pub(crate) fn of<A: Arithmetic, const QUICK: bool>(state: &LaunchState<A>) -> Self {
         let (zero, two) = (Dd::<A>::ZERO, Dd::<A>::from(2.0));
         let half_speed_squared = state.speed_squared.scale(0.5);
         let energy = state.height.plus(half_speed_squared);

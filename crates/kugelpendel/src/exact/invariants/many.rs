@@ -1,12 +1,12 @@
 //! Many launches solved at once.
 
 use crate::exact::invariants::constants::{Invariants, Turning};
-use crate::given::launch::{STATE_NUMBERS, State};
+use crate::given::launch::{LaunchState, STATE_NUMBERS};
 use crate::numbers::arithmetic::Arithmetic;
 use crate::numbers::double_double::Pair;
 
 /// Launches solved together.
-pub(crate) const BLOCK: usize = 64;
+pub(crate) const LAUNCHES_PER_BLOCK: usize = 64;
 
 /// What a solution consists of.
 const NUMBERS: usize = 19;
@@ -15,11 +15,11 @@ impl Invariants {
     /// All of them for many launches: a straight line that the compiler vectorises, and the few that need more steps of
     /// an iteration once more. One launch takes the same way, so that it has the same result in any ensemble.
     #[inline(always)]
-    pub(crate) fn fill_block<A: Arithmetic>(states: &[State<A>], out: &mut [Self]) {
+    pub(crate) fn fill_block<A: Arithmetic>(states: &[LaunchState<A>], out: &mut [Self]) {
         // In columns, since records of numbers are what the compiler does not vectorise.
-        let mut given = [[0.0; BLOCK]; STATE_NUMBERS];
-        let mut found = [[0.0; BLOCK]; NUMBERS];
-        let count = states.len().min(BLOCK);
+        let mut given = [[0.0; LAUNCHES_PER_BLOCK]; STATE_NUMBERS];
+        let mut found = [[0.0; LAUNCHES_PER_BLOCK]; NUMBERS];
+        let count = states.len().min(LAUNCHES_PER_BLOCK);
         for (k, state) in states.iter().enumerate() {
             for (column, number) in given.iter_mut().zip(state.numbers()) {
                 column[k] = number;
@@ -30,7 +30,7 @@ impl Invariants {
             for n in 0..STATE_NUMBERS {
                 row[n] = given[n][k];
             }
-            let row = Self::of::<A, true>(&State::from_numbers(row)).numbers();
+            let row = Self::of::<A, true>(&LaunchState::from_numbers(row)).numbers();
             for n in 0..NUMBERS {
                 found[n][k] = row[n];
             }

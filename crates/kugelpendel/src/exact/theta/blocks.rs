@@ -6,7 +6,7 @@ use crate::exact::theta::shape::{Shape, product};
 use crate::exact::theta::trigonometric::{MAX_DEGREE, Trigonometric};
 use crate::given::times::{Quantity, Times};
 use crate::numbers::arithmetic::Arithmetic;
-use crate::sampling::blocks::{Form, Hands, blocks};
+use crate::sampling::blocks::{Form, SwingAndFrame, blocks};
 use crate::sampling::rotations::half;
 use std::f64::consts::{PI, TAU};
 
@@ -35,7 +35,7 @@ impl<A: Arithmetic, const DEGREE: usize, const ALPHA: usize, const FROM_ABOVE: b
 }
 
 #[inline(always)]
-pub(crate) fn series<A: Arithmetic>(
+pub(crate) fn fill_theta<A: Arithmetic>(
     plan: &Plan,
     chart: &Trigonometric,
     quantity: Quantity,
@@ -46,7 +46,7 @@ pub(crate) fn series<A: Arithmetic>(
         return;
     };
     let scale = Scale { length: plan.length, swing: PI * swings.hi, frame: TAU * frame.hi };
-    let hands = Hands { swing: half(swings), frame, start: [0.5 * start.hi, plan.turn] };
+    let angles = SwingAndFrame { swing: half(swings), frame, start: [0.5 * start.hi, plan.turn] };
     let table = plan.rotations.as_deref();
     macro_rules! fill {
         ($($degree:literal $alpha:literal,)+) => {
@@ -54,11 +54,11 @@ pub(crate) fn series<A: Arithmetic>(
                 $(
                     ($degree, $alpha, false) => {
                         let form = Fixed::<$degree, $alpha, false> { chart, scale };
-                        blocks::<A>(&form, &hands, table, quantity, times, out);
+                        blocks::<A>(&form, &angles, table, quantity, times, out);
                     }
                     ($degree, $alpha, true) => {
                         let form = Fixed::<$degree, $alpha, true> { chart, scale };
-                        blocks::<A>(&form, &hands, table, quantity, times, out);
+                        blocks::<A>(&form, &angles, table, quantity, times, out);
                     }
                 )+
                 degree => unreachable!("{degree:?} is not a degree from 1 to {MAX_DEGREE} and α's"),

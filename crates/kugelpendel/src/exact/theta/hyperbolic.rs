@@ -10,7 +10,7 @@
 //! where n counts the swings and |f| ≤ ½ is the fraction of one. On the separatrix q' = 0 and h is the time itself.
 
 use crate::exact::invariants::constants::Invariants;
-use crate::exact::theta::shape::{Factor, Shape, scales};
+use crate::exact::theta::shape::{Shape, ThetaValue, scales};
 use crate::numbers::arithmetic::Portable;
 use crate::numbers::elliptic::Ladder;
 use std::f64::consts::PI;
@@ -47,7 +47,7 @@ impl Hyperbolic {
             sense: invariants.sense,
         };
         let (top, bottom) = (chart.factors(0.5 * chart.span), chart.factors(0.0));
-        let ratio = |factor: Factor, delta: f64| factor.re.hypot(factor.im) / delta;
+        let ratio = |factor: ThetaValue, delta: f64| factor.re.hypot(factor.im) / delta;
         let (alpha, beta) = (ratio(top.alpha, top.delta), ratio(bottom.beta, bottom.delta));
         chart.scales = scales(length, turning, alpha, beta);
         chart
@@ -79,7 +79,7 @@ impl Hyperbolic {
         let fading = (-size).exp();
         // q'e^{2|h|} ≤ 1 as one exponential; 0 on the separatrix, where q' = 0 and h is unbounded.
         let growing = if q > 0.0 { (2.0 * size - self.span).exp() } else { 0.0 };
-        let (mut alpha, mut delta, mut delta_rate) = (Factor::default(), 0.0, 0.0);
+        let (mut alpha, mut delta, mut delta_rate) = (ThetaValue::default(), 0.0, 0.0);
         for n in 0..3 {
             let order = (2 * n + 1) as f64;
             let large = q.powi(n * n) * growing.powi(n);
@@ -95,7 +95,7 @@ impl Hyperbolic {
             delta += cosh;
             delta_rate += order * sinh;
         }
-        let mut beta = Factor { re: 1.0, ..Factor::default() };
+        let mut beta = ThetaValue { re: 1.0, ..ThetaValue::default() };
         for n in 1..4 {
             let order = (2 * n) as f64;
             let large = q.powi(n * n - n) * growing.powi(n);
@@ -112,8 +112,8 @@ impl Hyperbolic {
 }
 
 struct Factors {
-    alpha: Factor,
-    beta: Factor,
+    alpha: ThetaValue,
+    beta: ThetaValue,
     delta: f64,
     delta_rate: f64,
     /// e^{−|h|}.

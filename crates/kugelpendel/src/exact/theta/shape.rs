@@ -18,14 +18,14 @@ pub(crate) struct Shape {
 
 /// A complex number with its derivative: a theta function at one instant.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Factor {
+pub(crate) struct ThetaValue {
     pub(crate) re: f64,
     pub(crate) im: f64,
     pub(crate) re_rate: f64,
     pub(crate) im_rate: f64,
 }
 
-impl Factor {
+impl ThetaValue {
     pub(crate) fn scaled(self, scale: f64) -> Self {
         let Self { re, im, re_rate, im_rate } = self;
         Self { re: scale * re, im: scale * im, re_rate: scale * re_rate, im_rate: scale * im_rate }
@@ -36,8 +36,8 @@ impl Shape {
     /// x + iy = αβ/δ² and height = |α|²/δ². With RATES = false the rates stay 0 and cost nothing.
     #[inline(always)]
     pub(crate) fn of<A: Arithmetic, const RATES: bool>(
-        alpha: Factor,
-        beta: Factor,
+        alpha: ThetaValue,
+        beta: ThetaValue,
         delta: f64,
         delta_rate: f64,
     ) -> Self {

@@ -6,7 +6,7 @@
 //! polynomials in sin² ζ, in which θ4, the only one that is divided by, has positive coefficients only.
 
 use crate::exact::invariants::constants::Invariants;
-use crate::exact::theta::shape::{Factor, Shape, scales};
+use crate::exact::theta::shape::{Shape, ThetaValue, scales};
 use crate::numbers::arithmetic::{Arithmetic, horner};
 use crate::numbers::elliptic::Ladder;
 
@@ -23,10 +23,10 @@ pub(crate) struct Trigonometric {
     pub(crate) from_above: bool,
     /// What the spectrum needs: q, q·e^{2η0}, and η2 (from above η1).
     pub(crate) poles: [f64; 3],
-    alpha: Series,
-    beta: Series,
+    alpha: ThetaSeries,
+    beta: ThetaSeries,
     /// θ4, real.
-    delta: Series,
+    delta: ThetaSeries,
 }
 
 impl Trigonometric {
@@ -51,18 +51,18 @@ impl Trigonometric {
         let last = (2 * degree + 1) as f64 * nome.powi((degree * degree) as i32) * lower_reduced.powi(degree as i32);
         let alpha_degree = if last < 2e-17 { degree - 1 } else { degree };
         let beta = if from_above {
-            Series::odd(degree, nome, upper, upper_reduced, 1.0)
+            ThetaSeries::odd(degree, nome, upper, upper_reduced, 1.0)
         } else {
-            Series::even(degree, nome, upper, 1.0)
+            ThetaSeries::even(degree, nome, upper, 1.0)
         };
         let mut chart = Self {
             degree,
             alpha_degree,
             from_above,
             poles: [nome, lower_reduced, upper],
-            alpha: Series::odd(alpha_degree, nome, lower, lower_reduced, -1.0),
+            alpha: ThetaSeries::odd(alpha_degree, nome, lower, lower_reduced, -1.0),
             beta,
-            delta: Series::even(degree, nome, 0.0, -1.0),
+            delta: ThetaSeries::even(degree, nome, 0.0, -1.0),
         };
         let at_bottom = |polynomial: &Polynomial| polynomial[0];
         let at_top = |polynomial: &Polynomial| polynomial.iter().sum::<f64>();
@@ -113,21 +113,21 @@ impl Trigonometric {
 /// Polynomials in sin² ζ. Odd series: re, im go with cos ζ, sin ζ; even ones with 1, sin ζ cos ζ, which takes a degree
 /// from the polynomial; the rates the other way.
 #[derive(Clone, Copy, Debug)]
-struct Series {
+struct ThetaSeries {
     re: Polynomial,
     im: Polynomial,
     re_rate: Polynomial,
     im_rate: Polynomial,
 }
 
-impl Series {
+impl ThetaSeries {
     #[inline(always)]
-    fn at<A: Arithmetic, const RATES: bool>(&self, degrees: [usize; 2], square: f64, [c, s]: [f64; 2]) -> Factor {
+    fn at<A: Arithmetic, const RATES: bool>(&self, degrees: [usize; 2], square: f64, [c, s]: [f64; 2]) -> ThetaValue {
         let [re, im] = degrees;
-        let mut factor = Factor {
+        let mut factor = ThetaValue {
             re: c * horner::<A, _>(&self.re, re, square),
             im: s * horner::<A, _>(&self.im, im, square),
-            ..Factor::default()
+            ..ThetaValue::default()
         };
         if RATES {
             factor.re_rate = s * horner::<A, _>(&self.re_rate, im, square);

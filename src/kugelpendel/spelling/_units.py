@@ -1,9 +1,17 @@
-"""Units that a reader takes in at a glance: 3.8 mm and not 0.0038 m, 31.8 h and not 114480 s."""
+"""Units that a reader takes in at a glance: 3.8 mm and not 0.0038 m, 31.8 h and not 114480 s.
+
+The ladders are our own, since those of the libraries go by thousands: centimetres, minutes, hours,
+days, and degrees an hour are what pendulums are measured in.
+"""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from kugelpendel.spelling._numbers import Language
 
 _DEGREE = math.pi / 180
 _HOUR = 3600.0
@@ -13,7 +21,17 @@ _YEAR = 365.25 * _DAY
 
 @dataclass(frozen=True)
 class Unit:
-    """A unit to read: its symbol, its size in the SI unit, and from which value on it is used."""
+    """A unit to read.
+
+    Attributes
+    ----------
+    symbol
+        As it is written behind a number, in English.
+    size
+        Of one of it, in the SI unit.
+    start
+        The value in the SI unit from which on it is used.
+    """
 
     symbol: str
     size: float
@@ -75,14 +93,17 @@ _LADDERS: dict[str, list[Unit]] = {
 }
 
 
+_GERMAN = {"years": "Jahre", "arcsec": "Bogensekunden", "arcmin": "Bogenminuten"}
+
+
 def unit_for(magnitude: float, si: str) -> Unit:
-    """The unit in which a value of this magnitude reads best.
+    """Choose the unit in which a value of this magnitude reads best.
 
     Parameters
     ----------
-    magnitude : float
+    magnitude
         The value, or the largest of several that share an axis, in the SI unit.
-    si : str
+    si
         ``"m"``, ``"m/s"``, ``"s"``, ``"rad"``, ``"kg"`` or ``"N"``.
 
     Returns
@@ -96,43 +117,13 @@ def unit_for(magnitude: float, si: str) -> Unit:
     return fitting[-1] if fitting else Unit(si, 1.0, 0.0)
 
 
-def spell(value: float, si: str, digits: int = 4) -> str:
-    """A value with its unit, such as ``"3.827 mm"``, to the given number of significant digits."""
-    unit = unit_for(value, si)
-    gap = "" if unit.symbol == "°" else " "
-    return f"{significant(value / unit.size, digits)}{gap}{unit.symbol}"
-
-
-def significant(value: float, digits: int = 4) -> str:
-    """A number to so many significant digits, without an exponent where it reads as well."""
-    if value == 0 or not math.isfinite(value):
-        return f"{value:g}" if value else "0"
-    exponent = math.floor(math.log10(abs(float(f"{value:.{digits - 1}e}"))))
-    if -5 <= exponent < max(digits, 6):
-        return f"{value:.{max(digits - 1 - exponent, 0)}f}"
-    return f"{value:.{digits - 1}e}"
-
-
 def rate_unit(rate: float) -> Unit:
-    """The unit for angular velocities of this size in rad/s: °/h if it is slow, else °/s."""
+    """Choose the unit for angular velocities of this size in rad/s: °/h if slow, else °/s."""
     if abs(rate) / _DEGREE * _HOUR < 3600:
         return Unit("°/h", _DEGREE / _HOUR, 0.0)
     return Unit("°/s", _DEGREE, _DEGREE)
 
 
-def spell_rate(rate: float, digits: int = 4) -> str:
-    """An angular velocity, given in rad/s, with its sign: in °/h if it is slow, else in °/s."""
-    if rate_unit(rate).symbol == "°/h":
-        return f"{_signed(rate / _DEGREE * _HOUR, digits)} °/h"
-    return f"{_signed(rate / _DEGREE, digits)} °/s"
-
-
-def _signed(value: float, digits: int) -> str:
-    return ("+" if value > 0 else "") + significant(value, digits).replace("-", "−")
-
-
-def spell_percent(fraction: float) -> str:
-    """A relative difference with its sign, or that there is none."""
-    if abs(fraction) < 5e-15:
-        return "the same"
-    return f"{_signed(100 * fraction, 2)} %"
+def local_symbol(symbol: str, language: Language) -> str:
+    """Say the symbol of a unit in a language; most are international."""
+    return _GERMAN.get(symbol, symbol) if language == "de" else symbol
