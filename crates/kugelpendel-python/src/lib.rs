@@ -1,6 +1,7 @@
 //! Python bindings of the `kugelpendel` crate: flat arrays in, flat arrays out. Shapes, names and units are the Python
 //! side's business.
 
+mod apsides;
 mod columns;
 mod envelope;
 mod exact;
@@ -33,6 +34,8 @@ mod _core {
     use super::pendulum_problem;
     #[pymodule_export]
     use super::steps_taken;
+    #[pymodule_export]
+    use crate::apsides::{ApsidesTrack, plane_rates};
     #[pymodule_export]
     use crate::envelope::EnvelopeMotions;
     #[pymodule_export]

@@ -35,6 +35,7 @@ pub use given::forces::{Drive, Forces, Thread};
 pub use given::invalid::Invalid;
 pub use given::launch::{Launch, TOLERANCE};
 pub use given::pendulum::Pendulum;
+pub use meaning::apsides::{ApsidesTrack, Apsis, STANDSTILL, mean_rate, rate_at_the_end, stands_since};
 pub use meaning::azimuth::{nearest, unwrap, unwrap_at};
 pub use meaning::compare::{EllipseRates, SWINGS, distances, relative_error};
 pub use meaning::ellipse::Ellipse;
