@@ -8,7 +8,7 @@ import numpy as np
 
 import kugelpendel as kp
 from kugelpendel.observables import measured_rates
-from kugelpendel.plot import significant
+from kugelpendel.spelling import significant
 
 UNIT = kp.Pendulum(length=1.0, gravity=1.0)
 LAUNCHES = ((0.05, 0.005), (0.2, 0.1), (0.5, 0.25))  # a/l, b/l

@@ -19,10 +19,12 @@ from .motion import TurningRates as TurningRates
 from .observables import Comparison as Comparison
 from .observables import Ellipse as Ellipse
 from .observables import IdealSummary as IdealSummary
+from .observables import Rates as Rates
 from .observables import Validity as Validity
 from .observables import ValidityMap as ValidityMap
 from .observables import compare as compare
 from .observables import ellipse as ellipse
+from .observables import measured_rates as measured_rates
 from .observables import validity as validity
 from .observables import validity_map as validity_map
 from .parameters import Bob as Bob
@@ -57,6 +59,7 @@ __all__ = [
     "OlssonMotion",
     "Pendulum",
     "PlaneMotion",
+    "Rates",
     "RealMotion",
     "SeriesMotion",
     "Site",
@@ -70,6 +73,7 @@ __all__ = [
     "compare",
     "design",
     "ellipse",
+    "measured_rates",
     "olsson",
     "series",
     "validity",

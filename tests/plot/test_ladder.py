@@ -8,6 +8,7 @@ from numpy.testing import assert_allclose
 
 import kugelpendel as kp
 from kugelpendel import plot
+from kugelpendel.observables import LEVELS
 
 UNIT = kp.Pendulum(length=1.0)
 LAUNCHES = {
@@ -85,7 +86,7 @@ def test_map_has_every_formula_and_order(validity_map: kp.ValidityMap) -> None:
 def test_lines_lie_where_the_error_is(validity_map: kp.ValidityMap) -> None:
     axes = plot.validity(validity_map).axes[0]
     (lines,) = [c for c in axes.collections if isinstance(c, QuadContourSet) and not c.filled]
-    for level, path in zip(plot.LEVELS, lines.get_paths(), strict=True):
+    for level, path in zip(LEVELS, lines.get_paths(), strict=True):
         vertices = np.asarray(path.vertices)
         a, ratio = vertices[:: max(1, len(vertices) // 20)].T
         error = np.asarray(kp.validity(a, a * ratio, 1.0).formula_25)

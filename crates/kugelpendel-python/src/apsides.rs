@@ -2,7 +2,7 @@
 
 use crate::columns::Numbers;
 use crate::signal::lock;
-use kugelpendel::Pendulum;
+use kugelpendel::{Pendulum, StateVector};
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -35,7 +35,11 @@ impl ApsidesTrack {
         }
         py.detach(|| {
             let points = position.chunks_exact(3).zip(velocity.chunks_exact(3)).zip(times);
-            let passages: Vec<_> = points.map(|((r, v), time)| (*time, [r[0], r[1], r[2], v[0], v[1], v[2]])).collect();
+            let passages: Vec<_> = points
+                .map(|((r, v), time)| {
+                    (*time, StateVector { position: [r[0], r[1], r[2]], velocity: [v[0], v[1], v[2]] })
+                })
+                .collect();
             lock(&self.0).add(&passages);
         });
         Ok(())

@@ -46,7 +46,7 @@ mod _core {
     use crate::integrated::IntegratedMotions;
     #[pymodule_export]
     use crate::meaning::{
-        distances, events_on_a_grid, measured_rates, olsson_frequency, olsson_precession, osculating_ellipses,
+        distances, events_on_a_grid, measured_rates, olsson_frequency, olsson_precession, osculating_ellipses, reach,
         relative_error, thread_pull, unwrapped, widened,
     };
     #[pymodule_export]

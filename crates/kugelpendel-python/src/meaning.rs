@@ -146,6 +146,16 @@ pub(crate) fn relative_error(approximate: f64, truth: f64) -> Option<f64> {
     kugelpendel::relative_error(approximate, truth)
 }
 
+/// Up to which of the ascending sizes no error exceeds a level: 0 for none, infinite for all.
+#[pyfunction]
+pub(crate) fn reach(sizes: PyReadonlyArray1<'_, f64>, worst: PyReadonlyArray1<'_, f64>, level: f64) -> PyResult<f64> {
+    let (sizes, worst) = (sizes.as_slice()?, worst.as_slice()?);
+    if sizes.len() != worst.len() {
+        return Err(PyValueError::new_err("sizes and errors do not go together"));
+    }
+    Ok(kugelpendel::reach(sizes, worst, level))
+}
+
 /// |b|, or that of the narrowest ellipse of this outer turning radius that shows a precession: columns a, b.
 #[pyfunction]
 pub(crate) fn widened<'py>(
@@ -165,7 +175,8 @@ pub(crate) fn widened<'py>(
 #[pyfunction]
 pub(crate) fn measured_rates(states: &Bound<'_, PyAny>, half_swing: f64) -> PyResult<(Option<f64>, Option<f64>)> {
     let plan = |times: &[f64]| -> PyResult<Vec<[f64; 4]>> {
-        Ok(asked(states, times)?.into_iter().map(|[x, y, _, vx, vy, _]| [x, y, vx, vy]).collect())
+        let plan = |StateVector { position: [x, y, _], velocity: [vx, vy, _] }| [x, y, vx, vy];
+        Ok(asked(states, times)?.into_iter().map(plan).collect())
     };
     let rates = kugelpendel::measured_rates(half_swing, plan)?;
     Ok((rates.frequency, rates.precession))
@@ -173,18 +184,20 @@ pub(crate) fn measured_rates(states: &Bound<'_, PyAny>, half_swing: f64) -> PyRe
 
 /// Times of an event of a motion that is asked likewise.
 #[pyfunction]
+#[allow(clippy::too_many_arguments)]
 pub(crate) fn events_on_a_grid<'py>(
     states: &Bound<'py, PyAny>,
     kind: &str,
     value: f64,
     between: [f64; 2],
+    span: [f64; 2],
     step: f64,
     most: usize,
     pendulum: [f64; 3],
 ) -> PyResult<Numbers<'py>> {
     let [length, gravity, mass] = pendulum;
     let pendulum = Pendulum { length, gravity, mass };
-    let found = kugelpendel::events_on_a_grid(event(kind, value)?, between, step, most, &pendulum, |times| {
+    let found = kugelpendel::events_on_a_grid(event(kind, value)?, between, span, step, most, &pendulum, |times| {
         states.py().check_signals()?;
         asked(states, times)
     })?;
@@ -202,8 +215,9 @@ fn asked(states: &Bound<'_, PyAny>, times: &[f64]) -> PyResult<Vec<StateVector>>
     if positions.dim() != (times.len(), 3) || velocities.dim() != (times.len(), 3) {
         return Err(PyValueError::new_err("positions and velocities must be (n, 3)"));
     }
-    let state = |(x, v): (numpy::ndarray::ArrayView1<'_, f64>, numpy::ndarray::ArrayView1<'_, f64>)| {
-        [x[0], x[1], x[2], v[0], v[1], v[2]]
+    let state = |(x, v): (numpy::ndarray::ArrayView1<'_, f64>, numpy::ndarray::ArrayView1<'_, f64>)| StateVector {
+        position: [x[0], x[1], x[2]],
+        velocity: [v[0], v[1], v[2]],
     };
     Ok(positions.rows().into_iter().zip(velocities.rows()).map(state).collect())
 }

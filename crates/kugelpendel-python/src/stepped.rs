@@ -231,10 +231,8 @@ fn name(ending: Ending) -> &'static str {
 
 fn passages_array<'py>(py: Python<'py>, passages: &[Passage]) -> Passages<'py> {
     let times: Vec<_> = passages.iter().map(|passage| passage.time).collect();
-    let [position, velocity] = [0, 3].map(|first| {
-        let triples = passages.iter().flat_map(|passage| passage.state[first..first + 3].iter().copied());
-        triples.collect::<Vec<_>>()
-    });
+    let position: Vec<_> = passages.iter().flat_map(|passage| passage.state.position).collect();
+    let velocity: Vec<_> = passages.iter().flat_map(|passage| passage.state.velocity).collect();
     let tension: Vec<_> = passages.iter().map(|passage| passage.tension).collect();
     (times.into_pyarray(py), position.into_pyarray(py), velocity.into_pyarray(py), tension.into_pyarray(py))
 }

@@ -37,7 +37,7 @@ pub use given::launch::{Launch, TOLERANCE};
 pub use given::pendulum::Pendulum;
 pub use meaning::apsides::{ApsidesTrack, Apsis, STANDSTILL, mean_rate, rate_at_the_end, stands_since};
 pub use meaning::azimuth::{nearest, unwrap, unwrap_at};
-pub use meaning::compare::{EllipseRates, SWINGS, distances, relative_error};
+pub use meaning::compare::{EllipseRates, SWINGS, distances, reach, relative_error};
 pub use meaning::ellipse::Ellipse;
 pub use meaning::events::events_on_a_grid;
 pub use meaning::measured::{MeasuredRates, PlanState, measured_rates};
@@ -51,7 +51,7 @@ pub use paper::integrated::IntegratedMotion;
 pub use real::motion::RealMotion;
 pub use taylor::events::Event;
 pub use taylor::step::Ending;
-pub use taylor::walk::{Halt, Passage, Readings, Stop, Walk, steps_taken};
+pub use taylor::walk::{Halt, Passage, Readings, StateVector, Stop, Walk, steps_taken};
 
 pub use exact::spectrum::{Harmonic, Spectrum};
-pub use given::times::{Quantity, StateVector, Times};
+pub use given::times::{Quantity, Times};

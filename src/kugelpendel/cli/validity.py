@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
-
-import numpy as np
 
 import kugelpendel as kp
 from kugelpendel import plot
 from kugelpendel.cli.compare.report import plain_table, print_table
 from kugelpendel.cli.job_file.quantity import LENGTH, read_quantity
 from kugelpendel.cli.output import staged
-from kugelpendel.plot import LEVELS
+from kugelpendel.observables import LEVELS
 from kugelpendel.spelling import as_given, significant, spell_percent
 
 if TYPE_CHECKING:
@@ -123,15 +122,7 @@ def _reaches(errors: kp.ValidityMap) -> tuple[list[str], Table]:
 
 def _reach(errors: kp.ValidityMap, error: Scalars, level: float) -> str:
     """Up to which a/l no ellipse has a larger error, to three digits."""
-    worst = np.maximum(np.abs(np.asarray(error)).max(axis=0), 1e-300)
-    beyond = np.flatnonzero(worst > level)
-    if not beyond.size:
+    reach = errors.reach(error, level)
+    if reach == math.inf:
         return f"> {errors.a_over_l[-1]:g}"
-    k = int(beyond[0])
-    if k == 0:
-        return f"< {errors.a_over_l[0]:.3g}"
-    # Errors are powers of a/l, near enough, from one point to the next.
-    low, high = (float(error) for error in np.log(worst[k - 1 : k + 1]))
-    share = (float(np.log(level)) - low) / (high - low)
-    before, after = (float(a) for a in errors.a_over_l[k - 1 : k + 1])
-    return significant(before * (after / before) ** share, 3)
+    return significant(reach, 3) if reach > 0 else f"< {errors.a_over_l[0]:.3g}"

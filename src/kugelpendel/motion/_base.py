@@ -23,18 +23,18 @@ if TYPE_CHECKING:
 
 EventKind: TypeAlias = Literal["outer", "inner", "bottom", "azimuth", "radius", "slack", "taut"]
 
-_EVENTS: dict[str, tuple[str, str] | None] = {
+_EVENTS = {
     "outer": None,
     "inner": None,
     "bottom": None,
-    "azimuth": ("azimuth", "rad"),
-    "radius": ("radius", "m"),
+    "azimuth": "rad",
+    "radius": "m",
     "slack": None,
     "taut": None,
 }
-"""The kinds of events, each with the value that it takes and its unit."""
+"""The kinds of events, each with the unit of the value that it takes."""
 
-_MOST_EVENTS = 10_000_000
+MOST_EVENTS = 10_000_000
 """Events are handed out in one array, of 80 MB at most."""
 
 _GRID = 24
@@ -178,7 +178,7 @@ class Motion(ABC):
         or two of the time. On a circle to the last bit there are none, but for `ExactMotion`, which
         has the limit of a slight wobble. In a vertical plane no azimuth is passed.
         """
-        number = self._checked_event(kind, value)
+        event, number = self._checked_event(kind, value)
         first, last = one_number(start, "The start", "s"), one_number(stop, "The stop", "s")
         least, most = self._event_span
         if not (isfinite(first) and isfinite(last) and least <= first <= last):
@@ -187,7 +187,7 @@ class Motion(ABC):
                 f"Events are looked for between {bound}start ≤ stop, but from {first} s to "
                 f"{last} s."
             )
-        return self._find_events(kind, number, (first, min(last, most)), _MOST_EVENTS)
+        return self._find_events(event, number, (first, min(last, most)), MOST_EVENTS)
 
     def next_event(
         self,
@@ -200,7 +200,7 @@ class Motion(ABC):
 
         Looks `within` s ahead; raises InvalidInput where it does not come, and as `events`.
         """
-        number = self._checked_event(kind, value)
+        event, number = self._checked_event(kind, value)
         first, ahead = one_number(after, "after", "s"), one_number(within, "within", "s")
         least, most = self._event_span
         if not (first >= least and 0 < ahead < inf and isfinite(first)):
@@ -210,7 +210,7 @@ class Motion(ABC):
                 f"{ahead} s after {first} s."
             )
         between = (float(np.nextafter(first, inf)), min(first + ahead, most))
-        times = self._find_events(kind, number, between, 1) if between[0] <= between[1] else ()
+        times = self._find_events(event, number, between, 1) if between[0] <= between[1] else ()
         if len(times) == 0:
             raise InvalidInput(
                 f'The event "{kind}" does not come within {ahead:.6g} s after {first:.6g} s; look '
@@ -297,7 +297,7 @@ class Motion(ABC):
 
     @property
     def _event_span(self) -> tuple[float, float]:
-        """The first and last time at which events are looked for, s."""
+        """Between which times events are looked for, s."""
         return self.span
 
     @property
@@ -324,29 +324,27 @@ class Motion(ABC):
         shaped.flags.writeable = False
         return shaped
 
-    def _checked_event(self, kind: str, value: float | None) -> float:
+    def _checked_event(self, kind: object, value: float | None) -> tuple[str, float]:
+        """The kind, and its value or 0."""
         if self.shape != ():
             raise InvalidInput(
                 f"Events are those of a single motion, but this is an ensemble of shape "
                 f"{self.shape}; ask its motions one by one."
             )
-        if not isinstance(kind, str) or kind not in _EVENTS:  # pyright: ignore[reportUnnecessaryIsInstance]
+        if not isinstance(kind, str) or kind not in _EVENTS:
             names = ", ".join(map(repr, _EVENTS))
             raise InvalidInput(f"The event must be one of {names}, but it is {kind!r}.")
-        takes = _EVENTS[kind]
-        if takes is None:
+        unit = _EVENTS[kind]
+        if unit is None:
             if value is not None:
-                raise InvalidInput(
-                    f'The event "{kind}" does not take a value, but it is {value!r}.'
-                )
-            return 0.0
-        name, unit = takes
+                raise InvalidInput(f'The event "{kind}" does not take a value, but it is {value}.')
+            return kind, 0.0
         if value is None:
-            raise InvalidInput(f'The event "{kind}" needs a value, the {name} in {unit}.')
-        number = one_number(value, f"The {name}", unit)
+            raise InvalidInput(f'The event "{kind}" needs a value, the {kind} in {unit}.')
+        number = one_number(value, f"The {kind}", unit)
         if not isfinite(number):
-            raise InvalidInput(f"The {name} must be finite, but it is {number} {unit}.")
-        return number
+            raise InvalidInput(f"The {kind} must be finite, but it is {number} {unit}.")
+        return kind, number
 
     def _find_events(
         self, kind: str, value: float, between: tuple[float, float], most: int
@@ -355,7 +353,9 @@ class Motion(ABC):
         point = self.effective_pendulum
         step = np.pi / (_GRID * float(point.angular_frequency))
         pendulum = [float(number) for number in point.values]
-        return _core.events_on_a_grid(self._states, kind, value, between, step, most, pendulum)
+        return _core.events_on_a_grid(
+            self._states, kind, value, between, self.span, step, most, pendulum
+        )
 
     def _states(self, times: Numbers) -> tuple[Numbers, Numbers]:
         """Position and velocity at the same times."""

@@ -6,19 +6,16 @@ from abc import abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf
-from typing import Protocol, TypeAlias, final
+from typing import ClassVar, Protocol, TypeAlias, final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kugelpendel.motion._base import EventKind, Motion, one_number
+from kugelpendel.motion._base import MOST_EVENTS, EventKind, Motion, one_number
 from kugelpendel.motion._times import checked_grid, checked_times
 from kugelpendel.parameters import InvalidInput, Numbers
 
 AskedEvent: TypeAlias = EventKind | tuple[EventKind, float]
-
-_MOST = 10_000_000
-"""Events in one request."""
 
 
 @final
@@ -106,6 +103,7 @@ class SteppedMotion(Motion):
     """
 
     _motions: _Core
+    _earliest: ClassVar[float] = 0.0
 
     @abstractmethod
     def _end_sentence(self, end: float, why: str, times: Numbers) -> str:
@@ -150,18 +148,18 @@ class SteppedMotion(Motion):
         """
         return Walk(self, one_number(start, "The start", "s"))
 
-    def _problems(self) -> Iterable[tuple[int, str]]:
-        return self._motions.problems()
-
     @property
     def _event_span(self) -> tuple[float, float]:
-        # The walk finds the end by itself.
-        return (0.0, inf)
+        return (0.0, inf)  # where the motion ends, the search does too
 
     def _find_events(
         self, kind: str, value: float, between: tuple[float, float], most: int
     ) -> Numbers:
-        return self._motions.leg(np.empty(0), [(kind, value)], between, most, None)[-1][0][0]
+        found = self._motions.leg(np.empty(0), [(kind, value)], between, most, None)[-1]
+        return found[0][0]
+
+    def _problems(self) -> Iterable[tuple[int, str]]:
+        return self._motions.problems()
 
     def _span_within(self, within: Numbers) -> tuple[float, float]:
         """Between which times all good motions go on, their ends looked for so many s each way."""
@@ -269,12 +267,14 @@ class Walk:
                 f"The times of a leg must ascend from {self._time:.9g} s to {end:.9g} s, but they "
                 f"go from {wanted[0]:.9g} s to {wanted[-1]:.9g} s; sort them, or begin a new walk."
             )
-        pairs = [asked if isinstance(asked, tuple) else (asked, None) for asked in events]
-        checked = [(kind, motion._checked_event(kind, value)) for kind, value in pairs]  # pyright: ignore[reportPrivateUsage]
+        checked = [
+            motion._checked_event(*(asked if isinstance(asked, tuple) else (asked, None)))  # pyright: ignore[reportPrivateUsage]
+            for asked in events
+        ]
         start = self._time
         after = start if self._is_fresh else float(np.nextafter(start, inf))
         count, come, ended, why, position, velocity, tension, found = motion._motions.leg(  # pyright: ignore[reportPrivateUsage]
-            wanted, checked, (min(after, end), end), _MOST, within
+            wanted, checked, (min(after, end), end), MOST_EVENTS, within
         )
         self._is_fresh = False
         self._time = max(start, come)

@@ -15,6 +15,7 @@ from kugelpendel.observables._shares import Stretch as Stretch
 from kugelpendel.observables._summary import IdealSummary as IdealSummary
 from kugelpendel.observables._summary import Regime as Regime
 from kugelpendel.observables._turning_points import TurningPoints as TurningPoints
+from kugelpendel.observables._validity import LEVELS as LEVELS
 from kugelpendel.observables._validity import Validity as Validity
 from kugelpendel.observables._validity import ValidityMap as ValidityMap
 from kugelpendel.observables._validity import validity as validity

@@ -16,6 +16,9 @@ from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, Scal
 ORDERS = (2, 4, 6, 8, 10, 12)
 """Orders of the series that are judged."""
 
+LEVELS = (1e-4, 1e-3, 1e-2, 1e-1)
+"""Relative errors that reports and figures name: 0.01 %, 0.1 %, 1 %, 10 %."""
+
 _MOST = 4000
 """Points along one side of a map: 16 million motions, of some 5 GB."""
 
@@ -62,6 +65,15 @@ class ValidityMap:
     a_over_l: Numbers
     b_over_a: Numbers
     errors: Validity
+
+    def reach(self, error: Scalars, level: float) -> float:
+        """Up to which a/l no ellipse of any width has a larger error than `level`.
+
+        `error` is one of those in `errors`. Between two sizes of the map it counts as a power of
+        a/l. 0 where the smallest ellipses of the map exceed the level, infinite where none does.
+        """
+        worst = np.abs(np.asarray(error)).max(axis=0)
+        return _core.reach(self.a_over_l, worst, level)
 
 
 def validity(a: ArrayLike, b: ArrayLike, length: ArrayLike) -> Validity:

@@ -3,11 +3,9 @@ from ._day import day as day
 from ._design import design as design
 from ._overview import overview as overview
 from ._overview import save as save
-from ._validity import LEVELS as LEVELS
 from ._validity import validity as validity
 
 __all__ = [
-    "LEVELS",
     "compared",
     "day",
     "design",

@@ -10,6 +10,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
+from kugelpendel.observables import LEVELS
 from kugelpendel.plot import _ink
 
 if TYPE_CHECKING:
@@ -19,9 +20,6 @@ if TYPE_CHECKING:
 
     from kugelpendel import ValidityMap
     from kugelpendel.parameters import Scalars
-
-LEVELS = (1e-4, 1e-3, 1e-2, 1e-1)
-"""Relative errors that have a line: 0.01 %, 0.1 %, 1 %, 10 %."""
 
 _FLOOR = 1e-16
 """Errors of less than that are rounding."""

@@ -276,8 +276,6 @@ class TestEnds:
         exact = kp.ExactMotion(METRE, kp.Launch.apsides(0.04, 0.01)).tension(times)
         # Off by the third order and what it makes of the phase.
         np.testing.assert_allclose(cubic, exact, rtol=1e-5)
-        leg = kp.CubicMotion(METRE, kp.Launch.apsides(0.04, 0.01)).walk().to(10.0, times)
-        np.testing.assert_allclose(leg.tension, cubic, rtol=1e-14)
 
     def test_span_knows_where_the_thread_goes_slack(self) -> None:
         launch = kp.Launch.angles(0.0, 0.0, 6.5)

@@ -14,7 +14,7 @@ mod tests;
 
 use crate::exact::chart::Chart;
 use crate::exact::motion::ExactMotion;
-use crate::exact::phase::Clock;
+use crate::exact::phase::Phase;
 use crate::exact::theta::shape::product;
 use crate::given::forces::{Drive, Forces};
 use crate::given::invalid::{Invalid, require};
@@ -23,7 +23,7 @@ use crate::given::pendulum::Pendulum;
 use crate::given::times::{Quantity, Times, both_ways};
 use crate::numbers::arithmetic::Portable;
 use law::{Circles, Law};
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 use steps::{Moment, Walk};
 
 /// Beyond this share of the length, swings are not averaged: turning radii no longer tell motions apart.
@@ -221,14 +221,14 @@ impl EnvelopeMotion {
         let ideal = Launch::Apsides { a, b: b.clamp(-a, a), azimuth: 0.0 };
         let unit = Pendulum { length: 1.0, gravity: 1.0, mass: 1.0 };
         let Ok(motion) = ExactMotion::new(unit, ideal) else { return [f64::NAN; 3] };
-        let clock = motion.clock();
-        let (Chart::Trigonometric(chart), turn) = motion.chart(&clock) else {
+        let at_launch = motion.phase();
+        let (Chart::Trigonometric(chart), turn) = motion.chart(&at_launch) else {
             return match quantity {
                 Quantity::Position => [0.0, 0.0, length],
                 Quantity::Velocity => [0.0; 3],
             };
         };
-        let Clock::Periodic { start, .. } = clock else { return [f64::NAN; 3] };
+        let Phase::Periodic { start, .. } = at_launch else { return [f64::NAN; 3] };
         let (sin, cos) = (PI * start.hi + phase).sin_cos();
         let shape = chart.at_any::<true>(cos, sin);
         let (sin, cos) = (azimuth + std::f64::consts::TAU * turn).sin_cos();
@@ -288,24 +288,16 @@ fn mean(pendulum: &Pendulum, law: &Law, [x, y]: [f64; 2], velocity: [f64; 2]) ->
     Some(moment)
 }
 
-/// Of the ideal motion.
+/// The ideal motion with this position and velocity; none where it rises to the support.
 fn osculating(pendulum: &Pendulum, [x, y]: [f64; 2], [vx, vy]: [f64; 2]) -> Option<Moment> {
     let motion = ExactMotion::new(*pendulum, Launch::Plane { x, y, vx, vy }).ok()?;
-    let [a, b] = motion.turning_radii().map(|radius| radius / pendulum.length);
-    if motion.turning_heights()[0] >= pendulum.length || a > LARGEST {
+    let ellipse = motion.ellipse();
+    let [a, b] = [ellipse.a, ellipse.b].map(|radius| radius / pendulum.length);
+    if motion.rises_above() || a > LARGEST {
         return None;
     }
-    let time = motion.apsis_time();
-    let mut phase = -motion.frequency() * time;
-    let mut azimuth = motion.apsis_azimuth() - motion.precession() * time;
-    if phase < -FRAC_PI_2 {
-        (phase, azimuth) = (phase + PI, azimuth - PI);
-    }
-    let (mut p, mut q) = (0.5 * (a + b), 0.5 * (a - b));
-    if motion.angular_momentum() < 0.0 {
-        (p, q) = (q, p);
-    }
-    let angles = [azimuth + phase, azimuth - phase];
+    let (p, q) = (0.5 * (a + b), 0.5 * (a - b));
+    let angles = [ellipse.azimuth + ellipse.phase, ellipse.azimuth - ellipse.phase];
     let [ahead, behind] = angles.map(f64::sin_cos);
     Some(Moment { state: [p * ahead.1, p * ahead.0, q * behind.1, q * behind.0, 0.0, 0.0, 0.0], angles })
 }

@@ -1,7 +1,7 @@
 //! The form of one swing in its own frame, and how that frame stands at the launch.
 
 use crate::exact::motion::{ExactMotion, Start};
-use crate::exact::phase::Clock;
+use crate::exact::phase::Phase;
 use crate::exact::theta::hyperbolic::Hyperbolic;
 use crate::exact::theta::shape::Shape;
 use crate::exact::theta::trigonometric::Trigonometric;
@@ -28,13 +28,13 @@ impl ExactMotion {
     }
 
     /// The chart, and by how many turns its frame is turned at the launch.
-    pub(crate) fn chart(&self, clock: &Clock) -> (Chart, f64) {
-        match *clock {
-            Clock::Still => {
+    pub(crate) fn chart(&self, phase: &Phase) -> (Chart, f64) {
+        match *phase {
+            Phase::Still => {
                 let [x, y] = self.launch.plan;
                 (Chart::Still([x, y, self.launch.height].map(|v| v * self.pendulum.length)), 0.0)
             }
-            Clock::Periodic { start, .. } if !self.near_separatrix() => {
+            Phase::Periodic { start, .. } if !self.near_separatrix() => {
                 let chart = Trigonometric::new(self.pendulum.length, &self.invariants, &self.invariants.ladder());
                 let (sin, cos) = (PI * start.hi).sin_cos();
                 let shape = chart.at_any::<true>(cos, sin);
@@ -42,7 +42,7 @@ impl ExactMotion {
                 let turn = self.launch_turn(&shape, self.invariants.frequency.hi, frame);
                 (Chart::Trigonometric(chart), turn)
             }
-            Clock::Periodic { start, .. } => {
+            Phase::Periodic { start, .. } => {
                 let chart = Hyperbolic::new(self.pendulum.length, &self.invariants);
                 let shape = chart.at(chart.span * start.hi);
                 let twist = chart.twist();
@@ -51,7 +51,7 @@ impl ExactMotion {
                 let turn = self.launch_turn(&shape, chart.span * frequency / PI, frame);
                 (Chart::Hyperbolic(chart), turn - twist * start.hi)
             }
-            Clock::Once { rate, start } => {
+            Phase::Once { rate, start } => {
                 let chart = Hyperbolic::new(self.pendulum.length, &self.invariants);
                 let turn = self.launch_turn(&chart.at(start), rate / self.omega0.hi, 0.0);
                 (Chart::Hyperbolic(chart), turn)

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 
 /// How far along the swing the motion is, given the time.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Clock {
+pub(crate) enum Phase {
     /// Swings (highest point to highest point) per second, turns of the frame per second, and the swing's fraction at
     /// the launch, counted from a lowest point.
     Periodic { swings: Pair, frame: Pair, start: Pair },
@@ -56,19 +56,19 @@ impl Invariants {
 }
 
 impl ExactMotion {
-    pub(crate) fn clock(&self) -> Clock {
+    pub(crate) fn phase(&self) -> Phase {
         let invariants = &self.invariants;
         if self.launch.still {
-            return Clock::Still;
+            return Phase::Still;
         }
         if invariants.frequency.hi == 0.0 {
             let turning = &invariants.turning;
             let rate = self.omega0.hi * (0.5 * (turning.excess + turning.low_depth)).sqrt();
-            return Clock::Once { rate, start: invariants.separatrix_start() };
+            return Phase::Once { rate, start: invariants.separatrix_start() };
         }
         let per_second = Dd::<Portable>::of(self.omega0) * Dd::INV_PI;
         let frame = if self.near_separatrix() { invariants.precession } else { invariants.frame };
-        Clock::Periodic {
+        Phase::Periodic {
             swings: (per_second * Dd::of(invariants.frequency)).pair(),
             frame: (per_second * Dd::of(frame)).scale(0.5 * invariants.sense).pair(),
             start: invariants.start(),
@@ -77,10 +77,10 @@ impl ExactMotion {
 
     /// First time ≥ 0 at a highest point, s; infinite on the separatrix, 0 at rest.
     pub fn apsis_time(&self) -> f64 {
-        match self.clock() {
-            Clock::Still => 0.0,
-            Clock::Once { .. } => f64::INFINITY,
-            Clock::Periodic { start, .. } => ((0.5 - start.hi) - start.lo) * self.radial_period(),
+        match self.phase() {
+            Phase::Still => 0.0,
+            Phase::Once { .. } => f64::INFINITY,
+            Phase::Periodic { start, .. } => ((0.5 - start.hi) - start.lo) * self.radial_period(),
         }
     }
 

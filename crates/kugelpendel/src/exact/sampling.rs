@@ -7,19 +7,43 @@
 
 use crate::exact::chart::Chart;
 use crate::exact::motion::ExactMotion;
-use crate::exact::phase::Clock;
-use crate::exact::plan::Plan;
+use crate::exact::phase::Phase;
 use crate::exact::theta::blocks::{Scale, fill_theta, seen_from_outside};
 use crate::exact::theta::shape::Shape;
 use crate::given::times::{Quantity, Times};
 use crate::numbers::arithmetic::{Arithmetic, dispatch};
 use crate::numbers::double_double::{Pair, two_sum};
 use crate::numbers::turns;
+use crate::sampling::blocks::{Rotations, rotations};
 use std::f64::consts::TAU;
 
 /// Times that one thread takes at once; smaller requests stay on the caller's thread.
 #[cfg(feature = "threads")]
-const TASK: usize = 64 * crate::sampling::rotations::TIMES_PER_BLOCK;
+const TASK: usize = 64 * crate::sampling::blocks::TIMES_PER_BLOCK;
+
+/// Everything about a request that is the same for every time.
+pub(crate) struct Plan {
+    pub(crate) chart: Chart,
+    pub(crate) phase: Phase,
+    pub(crate) length: f64,
+    /// Turns of the frame at t = 0.
+    pub(crate) turn: f64,
+    pub(crate) rotations: Option<Box<Rotations>>,
+}
+
+impl Plan {
+    pub(crate) fn new(motion: &ExactMotion, times: &Times<'_>) -> Self {
+        let phase = motion.phase();
+        let (chart, turn) = motion.chart(&phase);
+        let rotations = match (times, phase, &chart) {
+            (Times::Grid { step, .. }, Phase::Periodic { swings, frame, .. }, Chart::Trigonometric(_)) => {
+                Some(rotations(*step, swings, frame))
+            }
+            _ => None,
+        };
+        Self { chart, phase, length: motion.pendulum.length, turn, rotations }
+    }
+}
 
 impl ExactMotion {
     /// Fills `out`, three numbers to a time.
@@ -70,8 +94,8 @@ impl Plan {
     /// One time, for the charts that are not vectorised.
     #[inline(always)]
     fn point<A: Arithmetic>(&self, quantity: Quantity, time: Pair) -> [f64; 3] {
-        let (shape, direction, swing, frame) = match (&self.chart, self.clock) {
-            (Chart::Hyperbolic(chart), Clock::Periodic { swings, frame, start }) => {
+        let (shape, direction, swing, frame) = match (&self.chart, self.phase) {
+            (Chart::Hyperbolic(chart), Phase::Periodic { swings, frame, start }) => {
                 let (whole, rest) = turns::fraction::<A>(swings, time);
                 let (sum, error) = two_sum(whole, start.hi);
                 let small = rest + (error + start.lo);
@@ -87,14 +111,14 @@ impl Plan {
                 let turning = TAU * (frame.hi + twist * swings.hi);
                 (chart.at(chart.span * fraction), direction, chart.span * swings.hi, turning)
             }
-            (Chart::Hyperbolic(chart), Clock::Once { rate, start }) => {
+            (Chart::Hyperbolic(chart), Phase::Once { rate, start }) => {
                 let direction = turns::cos_sin::<A>(self.turn, 0.0);
                 (chart.at(A::mul_add(rate, time.hi, start)), direction, rate, 0.0)
             }
             (Chart::Still([x, y, height]), _) => {
                 (Shape { x: *x, y: *y, height: *height, unit: 1.0, ..Shape::default() }, [1.0, 0.0], 0.0, 0.0)
             }
-            (chart, clock) => unreachable!("{clock:?} does not go with {chart:?}"),
+            (chart, phase) => unreachable!("{phase:?} does not go with {chart:?}"),
         };
         let scale = Scale { length: self.length, swing, frame };
         match quantity {

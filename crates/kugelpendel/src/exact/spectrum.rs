@@ -14,7 +14,7 @@
 
 use crate::exact::chart::Chart;
 use crate::exact::motion::ExactMotion;
-use crate::exact::phase::Clock;
+use crate::exact::phase::Phase;
 use crate::given::invalid::{Invalid, require};
 use std::f64::consts::{PI, TAU};
 
@@ -91,9 +91,9 @@ impl ExactMotion {
     }
 
     fn poles(&self) -> Result<Poles, Invalid> {
-        let clock = self.clock();
-        let (chart, turn) = self.chart(&clock);
-        let phase = if let Clock::Periodic { start, .. } = clock { PI * start.hi } else { 0.0 };
+        let at_launch = self.phase();
+        let (chart, turn) = self.chart(&at_launch);
+        let phase = if let Phase::Periodic { start, .. } = at_launch { PI * start.hi } else { 0.0 };
         Ok(match chart {
             Chart::Trigonometric(chart) => {
                 let [nome, lower_reduced, upper] = chart.poles;

@@ -1,7 +1,7 @@
 //! The pull of the thread, Olsson's (5a): m(g cos θ + v²/l), and where a thread would go slack.
 
 use crate::exact::motion::ExactMotion;
-use crate::exact::phase::Clock;
+use crate::exact::phase::Phase;
 use crate::given::times::{Quantity, Times};
 
 /// Times taken together.
@@ -36,13 +36,13 @@ impl ExactMotion {
         let t = &self.invariants.turning;
         let cos = slack_height - 0.5 * (t.high + t.low);
         let sin = ((t.half_range - cos) * (t.half_range + cos)).max(0.0).sqrt();
-        match self.clock() {
-            Clock::Still => f64::INFINITY,
-            Clock::Once { rate, start } => {
+        match self.phase() {
+            Phase::Still => f64::INFINITY,
+            Phase::Once { rate, start } => {
                 let crossing = (slack_height.sqrt() / (2.0 - slack_height).sqrt()).asinh();
                 if start <= crossing { (crossing - start) / rate } else { f64::INFINITY }
             }
-            Clock::Periodic { start, .. } => {
+            Phase::Periodic { start, .. } => {
                 let crossing = self.invariants.fraction([cos, sin]);
                 // Launched at or below that height, so before the crossing; less is rounding.
                 ((crossing.hi - start.hi) + (crossing.lo - start.lo)).max(0.0) * self.radial_period()

@@ -12,9 +12,6 @@ pub enum Quantity {
     Velocity,
 }
 
-/// x, y, z in m from the support, z down, and their rates in m/s.
-pub type StateVector = [f64; 6];
-
 /// When.
 #[derive(Clone, Copy, Debug)]
 pub enum Times<'a> {

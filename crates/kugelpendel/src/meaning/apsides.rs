@@ -1,9 +1,9 @@
 //! The outer turning points of a real motion: how its ellipse changes, where its plane goes, and where it stands.
 
 use crate::given::pendulum::Pendulum;
-use crate::given::times::StateVector;
 use crate::meaning::azimuth::nearest;
 use crate::meaning::ellipse::Ellipse;
+use crate::taylor::walk::StateVector;
 use std::f64::consts::PI;
 
 /// Turning points that are kept at most; half as many at least, evenly spread.
@@ -57,8 +57,8 @@ impl ApsidesTrack {
     /// Notes the next outer turning points, in order.
     pub fn add(&mut self, passages: &[(f64, StateVector)]) {
         let ellipses = Ellipse::osculating(passages.len(), |index| {
-            let (_, [x, y, z, vx, vy, vz]) = passages[index];
-            (self.pendulum, [x, y, z], [vx, vy, vz], self.rotation)
+            let (_, StateVector { position, velocity }) = passages[index];
+            (self.pendulum, position, velocity, self.rotation)
         });
         for ((time, _), Ellipse { a, b, azimuth, .. }) in passages.iter().zip(ellipses) {
             let azimuth = self.last.map_or(azimuth, |last| nearest(azimuth, last.azimuth, PI));

@@ -55,6 +55,21 @@ impl ExactMotion {
     }
 }
 
+/// Up to which of the ascending sizes no error exceeds a level: 0 where the first one does already, infinite where none
+/// does.
+///
+/// `worst` is the largest error at each size. Errors are powers of the size, near enough, between one and the next.
+pub fn reach(sizes: &[f64], worst: &[f64], level: f64) -> f64 {
+    let Some(beyond) = worst.iter().position(|error| error.abs() > level) else { return f64::INFINITY };
+    if beyond == 0 {
+        return 0.0;
+    }
+    let digits = |index: usize| worst[index].abs().max(f64::MIN_POSITIVE).ln();
+    let (low, high) = (digits(beyond - 1), digits(beyond));
+    let share = (level.ln() - low) / (high - low);
+    sizes[beyond - 1] * (sizes[beyond] / sizes[beyond - 1]).powf(share)
+}
+
 /// The rates by which the formulas for small ellipses are judged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EllipseRates {

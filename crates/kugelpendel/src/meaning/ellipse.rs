@@ -4,7 +4,8 @@ use crate::exact::ensemble::Ensemble;
 use crate::exact::motion::ExactMotion;
 use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;
-use std::f64::consts::{FRAC_PI_2, PI};
+use crate::meaning::azimuth::nearest;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// The ellipse of the ideal motion that passes through a position with a velocity: osculating, not averaged.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,7 +57,7 @@ impl ExactMotion {
             (phase, azimuth) = (phase + PI, azimuth - PI);
         }
         let b = if self.angular_momentum() < 0.0 { -b } else { b };
-        Ellipse { a, b, azimuth, phase }
+        Ellipse { a, b, azimuth: nearest(azimuth, 0.0, TAU), phase }
     }
 }
 

@@ -1,14 +1,15 @@
 //! When something happens to a motion: between the extremes of its closed form, or on a grid of any motion's states.
 
 use crate::exact::motion::ExactMotion;
-use crate::exact::phase::Clock;
-use crate::exact::plan::Plan;
+use crate::exact::phase::Phase;
+use crate::exact::sampling::Plan;
 use crate::given::pendulum::Pendulum;
-use crate::given::times::{Quantity, StateVector, Times};
+use crate::given::times::{Quantity, Times};
 use crate::numbers::arithmetic::Portable;
 use crate::numbers::double_double::{Dd, Pair};
-use crate::numbers::roots::{Bracket, zero};
+use crate::numbers::roots::{Bracket, zero_between};
 use crate::taylor::events::Event;
+use crate::taylor::walk::StateVector;
 
 /// Pieces between two extremes of the distance from the axis, at the ends of which the azimuth is looked at.
 const PIECES: usize = 8;
@@ -43,15 +44,15 @@ impl Timetable {
         let turning = &motion.invariants.turning;
         let above = turning.high > 1.0;
         let bottom = Extreme { share: 0.0, outer: false, lowest: true };
-        match motion.clock() {
-            Clock::Still => Self::Once(Vec::new()),
-            Clock::Once { rate, start } => {
+        match motion.phase() {
+            Phase::Still => Self::Once(Vec::new()),
+            Phase::Once { rate, start } => {
                 // On the separatrix the support's level is where tan φ = √(s/(2 − s)) = sinh h is 1.
                 let level = 1.0_f64.asinh();
                 let at = |h: f64, outer| Extreme { share: (h - start) / rate, outer, lowest: !outer };
                 Self::Once(vec![at(-level, true), at(0.0, false), at(level, true)])
             }
-            Clock::Periodic { swings, start, .. } => {
+            Phase::Periodic { swings, start, .. } => {
                 let mut extremes = vec![bottom];
                 if above {
                     let level = motion.share_at_height(1.0);
@@ -66,12 +67,10 @@ impl Timetable {
         }
     }
 
-    /// The extremes after a time, each with its own time in s.
-    fn after(&self, time: f64) -> Box<dyn Iterator<Item = (f64, Extreme)> + '_> {
+    /// The extremes from a swing or two before a time on, each with its own time in s.
+    fn around(&self, time: f64) -> Box<dyn Iterator<Item = (f64, Extreme)> + '_> {
         match self {
-            Self::Once(extremes) => {
-                Box::new(extremes.iter().map(|extreme| (extreme.share, *extreme)).filter(move |(t, _)| *t >= time))
-            }
+            Self::Once(extremes) => Box::new(extremes.iter().map(|extreme| (extreme.share, *extreme))),
             Self::Periodic { extremes, swings, start } => {
                 let first = (time * swings.hi + start.hi).floor() - 1.0;
                 let count = extremes.len();
@@ -81,9 +80,23 @@ impl Timetable {
                     let passed = Dd::<Portable>::from(swing) + Dd::from(extreme.share) - Dd::of(*start);
                     ((passed / Dd::of(*swings)).pair().hi, extreme)
                 };
-                Box::new((0..).map(at).skip_while(move |(t, _)| *t < time))
+                Box::new((0..).map(at))
             }
         }
+    }
+}
+
+impl Timetable {
+    /// The times of the extremes from one before the interval to the first after it, or its ends where there are none: so
+    /// that a zero between them has the same bits whatever the interval.
+    fn breaks(&self, [start, end]: [f64; 2]) -> Box<dyn Iterator<Item = f64> + '_> {
+        let times = self.around(start).map(|(time, _)| time);
+        if let Self::Once(_) = self {
+            let inner = times.filter(move |time| *time > start && *time < end);
+            return Box::new([start].into_iter().chain(inner).chain([end]));
+        }
+        let mut passed = false;
+        Box::new(times.take_while(move |time| !std::mem::replace(&mut passed, *time > end)))
     }
 }
 
@@ -104,7 +117,9 @@ impl ExactMotion {
     /// passed, since it changes on the axis only, and by a jump.
     pub fn events(&self, event: Event, [start, end]: [f64; 2], most: usize) -> Vec<f64> {
         let timetable = Timetable::of(self);
-        let extremes = timetable.after(start).take_while(|(time, _)| *time <= end);
+        let extremes = timetable.around(start);
+        let breaks = timetable.breaks([start, end]);
+        let inside = |time: &f64| (start..=end).contains(time);
         let plan = Plan::new(self, &Times::Scattered(&[]));
         let position = |time: f64| {
             let mut position = [0.0; 3];
@@ -118,7 +133,8 @@ impl ExactMotion {
         };
         match event {
             Event::Outer | Event::Inner | Event::Bottom => {
-                extremes.filter(|(_, extreme)| happens(extreme)).map(|(time, _)| time).take(most).collect()
+                let times = extremes.filter(|(_, extreme)| happens(extreme)).map(|(time, _)| time);
+                times.take_while(|time| *time <= end).filter(inside).take(most).collect()
             }
             Event::Azimuth(_) if self.angular_momentum() == 0.0 => Vec::new(),
             Event::Azimuth(azimuth) => {
@@ -131,37 +147,36 @@ impl ExactMotion {
                     let [x, y, _] = position(*time);
                     x * cos + y * sin > 0.0
                 };
-                let times = passages([start, end], extremes.map(|(time, _)| time), PIECES, beside);
-                times.map(|(time, _)| time).filter(ahead).take(most).collect()
+                let times = passages(breaks, PIECES, beside).map(|(time, _)| time);
+                times.filter(inside).filter(ahead).take(most).collect()
             }
             Event::Radius(radius) => {
                 let beyond = |time: f64| {
                     let [x, y, _] = position(time);
                     x.hypot(y) - radius
                 };
-                let times = passages([start, end], extremes.map(|(time, _)| time), 1, beyond);
-                times.map(|(time, _)| time).take(most).collect()
+                passages(breaks, 1, beyond).map(|(time, _)| time).filter(inside).take(most).collect()
             }
             Event::Slack | Event::Taut => {
                 let pull = |time: f64| self.tension_at(1.0 - position(time)[2] / self.pendulum.length);
-                let times = passages([start, end], extremes.map(|(time, _)| time), 1, pull);
                 let tautens = event == Event::Taut;
-                times.filter(|(_, rises)| *rises == tautens).map(|(time, _)| time).take(most).collect()
+                let times = passages(breaks, 1, pull).filter(|(_, rises)| *rises == tautens);
+                times.map(|(time, _)| time).filter(inside).take(most).collect()
             }
         }
     }
 }
 
-/// The zeros of a function between two times, and whether it rises through them; in each of so many pieces between two
-/// extremes it has one at most.
+/// The zeros of a function between breaks, and whether it rises through them; in each of so many pieces between two
+/// breaks it has one at most.
 fn passages(
-    [start, end]: [f64; 2],
-    extremes: impl Iterator<Item = f64>,
+    mut breaks: impl Iterator<Item = f64>,
     pieces: usize,
     function: impl Fn(f64) -> f64,
 ) -> impl Iterator<Item = (f64, bool)> {
+    let start = breaks.next().unwrap_or(f64::NAN);
     let mut before = start;
-    let ends = extremes.chain([end]).flat_map(move |next| {
+    let ends = breaks.flat_map(move |next| {
         let (from, share) = (before, (next - before) / pieces as f64);
         before = next;
         (1..=pieces).map(move |piece| if piece == pieces { next } else { from + share * piece as f64 })
@@ -177,39 +192,39 @@ fn passages(
         let counted = values[0] == 0.0 && points[0] != start;
         let sign = if rises { 1.0 } else { -1.0 };
         (passes && !counted)
-            .then(|| (zero(points, values.map(|value| sign * value), |time| sign * function(time)), rises))
+            .then(|| (zero_between::<Portable>(&function, sign, points, values.map(|value| sign * value)), rises))
     })
 }
 
 /// The times of an event of any motion from `start` to `end`, in s, at most `most` of them.
 ///
-/// `states` gives positions and velocities at ascending times; `step` is a time in s in which nothing happens twice, such
-/// as a 24th of a half swing. Times are good to the motion's own error over the rate of what passes through zero.
+/// `states` gives positions and velocities at ascending times within `span`; `step` is a time in s in which nothing
+/// happens twice, such as a 24th of a half swing. Times are good to the motion's own error over the rate of what passes
+/// through zero, and have the same bits whatever the interval: the grid is one of whole steps from t = 0.
 ///
 /// # Errors
 /// The first that `states` returns.
 pub fn events_on_a_grid<E>(
     event: Event,
     [start, end]: [f64; 2],
+    span: [f64; 2],
     step: f64,
     most: usize,
     pendulum: &Pendulum,
     mut states: impl FnMut(&[f64]) -> Result<Vec<StateVector>, E>,
 ) -> Result<Vec<f64>, E> {
-    let count = ((end - start) / step).ceil().max(1.0);
-    let at = |k: f64| if k >= count { end } else { start + step * k };
+    let (mut first, count) = ((start / step).floor(), (end / step).floor() + 1.0);
+    let at = |k: f64| (step * k).clamp(span[0], span[1]);
     let mut found = Vec::new();
-    let mut first = 0.0;
     while first < count && found.len() < most {
-        let last = (first + TOGETHER as f64).min(count);
+        // At first a few: who asks for one event need not wait for many.
+        let together = if most == 1 { TOGETHER / 32 } else { TOGETHER };
+        let last = (first + together as f64).min(count);
         let times: Vec<f64> = (0..=(last - first) as usize).map(|k| at(first + k as f64)).collect();
         let seen = states(&times)?;
-        let mut times = passages_on_a_grid(event, &times, &seen, pendulum, &mut states)?;
-        if first > 0.0 {
-            // One at the very end of a stretch begins the next one too.
-            times.retain(|time| *time > at(first) || found.last().is_none_or(|last| time > last));
-        }
-        found.extend(times);
+        let times = passages_on_a_grid(event, &times, &seen, pendulum, &mut states)?;
+        found.extend(times.into_iter().filter(|time| (start..=end).contains(time)));
+        found.dedup(); // one at the very end of a stretch begins the next one too
         first = last;
     }
     found.truncate(most);
@@ -225,7 +240,7 @@ fn passages_on_a_grid<E>(
 ) -> Result<Vec<f64>, E> {
     let values: Vec<f64> = seen.iter().map(|state| watched(event, state, pendulum)).collect();
     if matches!(event, Event::Outer | Event::Inner) {
-        let squares = seen.iter().map(|[x, y, ..]| x * x + y * y);
+        let squares = seen.iter().map(|state| state.position[0].powi(2) + state.position[1].powi(2));
         let (least, most) = squares.fold((f64::INFINITY, 0.0), |(l, m), r| (f64::min(l, r), f64::max(m, r)));
         if most - least <= ROUND_ENOUGH * most {
             return Ok(Vec::new());
@@ -235,8 +250,8 @@ fn passages_on_a_grid<E>(
     let mut brackets = Vec::new();
     for k in 0..times.len() - 1 {
         let (below, above) = (values[k], values[k + 1]);
-        let rises = (below < 0.0 && above >= 0.0) || (k == 0 && below == 0.0 && above > 0.0);
-        let falls = (below > 0.0 && above <= 0.0) || (k == 0 && below == 0.0 && above < 0.0);
+        let rises = below <= 0.0 && above > 0.0;
+        let falls = below >= 0.0 && above < 0.0;
         if rises || (falls && both) {
             let sign = if rises { 1.0 } else { -1.0 };
             brackets.push((sign, Bracket::new([times[k], times[k + 1]], [sign * below, sign * above])));
@@ -256,7 +271,8 @@ fn passages_on_a_grid<E>(
     let mut found: Vec<f64> = brackets.iter().map(|(_, bracket)| bracket.best()).collect();
     if let Event::Azimuth(azimuth) = event {
         let (sin, cos) = azimuth.sin_cos();
-        let mut ahead = states(&found)?.into_iter().map(|[x, y, ..]| x * cos + y * sin > 0.0);
+        let seen = states(&found)?;
+        let mut ahead = seen.iter().map(|state| state.position[0] * cos + state.position[1] * sin > 0.0);
         found.retain(|_| ahead.next().unwrap_or(false));
     }
     Ok(found)
@@ -264,7 +280,8 @@ fn passages_on_a_grid<E>(
 
 /// What passes through zero where the event happens: upwards, unless it is a radius or an azimuth, which is passed both
 /// ways.
-fn watched(event: Event, &[x, y, z, vx, vy, vz]: &StateVector, pendulum: &Pendulum) -> f64 {
+fn watched(event: Event, state: &StateVector, pendulum: &Pendulum) -> f64 {
+    let StateVector { position: [x, y, _], velocity: [vx, vy, vz] } = *state;
     match event {
         Event::Outer => -(x * vx + y * vy),
         Event::Inner => x * vx + y * vy,
@@ -274,7 +291,7 @@ fn watched(event: Event, &[x, y, z, vx, vy, vz]: &StateVector, pendulum: &Pendul
             y * cos - x * sin
         }
         Event::Radius(radius) => x.hypot(y) - radius,
-        Event::Slack => -pendulum.pull([x, y, z], [vx, vy, vz]),
-        Event::Taut => pendulum.pull([x, y, z], [vx, vy, vz]),
+        Event::Slack => -pendulum.pull(state.position, state.velocity),
+        Event::Taut => pendulum.pull(state.position, state.velocity),
     }
 }

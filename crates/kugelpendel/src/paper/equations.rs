@@ -23,9 +23,22 @@ impl Equation {
         let [x, y, _, _] = point.position;
         x * x + y * y < 1.0
     }
+
+    /// Λ: the pull of the thread against the weight.
+    pub(crate) fn pull(self, point: &Point) -> f64 {
+        let Point { position: [x, y, _, _], velocity: [vx, vy, _, _] } = *point;
+        let (radius_squared, speed_squared) = (x * x + y * y, vx * vx + vy * vy);
+        match self {
+            Self::Plane => {
+                let (outward, depth_squared) = (x * vx + y * vy, 1.0 - radius_squared);
+                outward * outward / depth_squared + speed_squared + depth_squared.sqrt()
+            }
+            Self::Cubic => speed_squared - 0.5 * radius_squared + 1.0,
+        }
+    }
 }
 
-/// Series that are needed on the way: what Λ is made of.
+/// What Λ is made of.
 #[derive(Default)]
 pub(crate) struct PlanTerms {
     /// r·ṙ/depth.

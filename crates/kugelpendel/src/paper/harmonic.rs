@@ -9,14 +9,15 @@ use crate::exact::theta::shape::product;
 use crate::given::invalid::{Invalid, require};
 use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;
-use crate::given::times::{Quantity, StateVector, Times};
+use crate::given::times::{Quantity, Times};
 use crate::meaning::events::events_on_a_grid;
 use crate::meaning::olsson;
 use crate::numbers::arithmetic::{Arithmetic, Portable, dispatch, horner};
 use crate::numbers::double_double::Dd;
 use crate::sampling::blocks::{Form, SwingAndFrame, blocks};
-use crate::sampling::rotations::{Rotations, half, rotations};
+use crate::sampling::blocks::{Rotations, half, rotations};
 use crate::taylor::events::Event;
+use crate::taylor::walk::StateVector;
 use std::convert::Infallible;
 use std::f64::consts::{PI, TAU};
 
@@ -134,21 +135,22 @@ impl HarmonicMotion {
     /// The times of an event from `start` to `end`, in s, at most `most` of them; none of a turning point on a circle.
     pub fn events(&self, event: Event, between: [f64; 2], most: usize) -> Vec<f64> {
         let states = |times: &[f64]| -> Result<Vec<StateVector>, Infallible> {
-            let mut filled = [Quantity::Position, Quantity::Velocity].map(|quantity| {
+            let [positions, velocities] = [Quantity::Position, Quantity::Velocity].map(|quantity| {
                 let mut out = vec![0.0; 3 * times.len()];
                 self.fill(quantity, Times::Scattered(times), &mut out);
-                out.into_iter()
+                out
             });
-            let [positions, velocities] = &mut filled;
-            let mut state =
-                || std::array::from_fn(|k| if k < 3 { positions.next() } else { velocities.next() }.unwrap_or(0.0));
-            Ok(times.iter().map(|_| state()).collect())
+            let triple = |numbers: &[f64], index: usize| std::array::from_fn(|k| numbers[3 * index + k]);
+            let state =
+                |index| StateVector { position: triple(&positions, index), velocity: triple(&velocities, index) };
+            Ok((0..times.len()).map(state).collect())
         };
         if self.semi_axes()[0] == 0.0 {
             return Vec::new();
         }
         let step = PI / (24.0 * self.frequency);
-        let Ok(times) = events_on_a_grid(event, between, step, most, &self.pendulum, states);
+        let Ok(times) =
+            events_on_a_grid(event, between, [f64::NEG_INFINITY, f64::INFINITY], step, most, &self.pendulum, states);
         times
     }
 

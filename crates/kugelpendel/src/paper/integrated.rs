@@ -3,7 +3,6 @@
 use crate::given::invalid::{Invalid, require};
 use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;
-use crate::given::times::StateVector;
 use crate::numbers::arithmetic::{Arithmetic, dispatch};
 use crate::numbers::double_double::Pair;
 use crate::paper::equations::Equation;
@@ -11,7 +10,7 @@ use crate::real::motion::launch_point;
 use crate::taylor::events::{Guard, first};
 use crate::taylor::series::{FINEST, Point, VectorField};
 use crate::taylor::step::{Checkpoint, Ending, Step, point_at};
-use crate::taylor::walk::{Halt, Readings, Stepper, Stop, Walk, find_end, read};
+use crate::taylor::walk::{Halt, Readings, StateVector, Stepper, Stop, Walk, find_end, read};
 
 /// A pendulum that moves by an equation in the plan view, from its launch.
 #[derive(Clone, Copy, Debug)]
@@ -76,14 +75,14 @@ impl Stepper for IntegratedMotion {
         let length = self.pendulum.length;
         let speed = length * self.omega0.hi;
         let depth = (1.0 - x * x - y * y).sqrt();
-        let vz = -(x * vx + y * vy) / depth;
-        [x * length, y * length, depth * length, vx * speed, vy * speed, vz * speed]
+        StateVector {
+            position: [x, y, depth].map(|value| value * length),
+            velocity: [vx, vy, -(x * vx + y * vy) / depth].map(|value| value * speed),
+        }
     }
 
-    /// That of the motion's own position and velocity, Olsson's (5a); by (13) it differs from Λ.
     fn pull(&self, step: &Step, since: f64) -> f64 {
-        let [x, y, z, vx, vy, vz] = self.state(step, since);
-        self.pendulum.pull([x, y, z], [vx, vy, vz])
+        self.pendulum.mass * self.pendulum.gravity * self.equation.pull(&point_at(step, since))
     }
 
     fn omega0(&self) -> Pair {

@@ -5,13 +5,13 @@ use crate::given::forces::{Drive, Forces, Thread};
 use crate::given::invalid::Invalid;
 use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;
-use crate::given::times::{Quantity, StateVector, Times};
+use crate::given::times::{Quantity, Times};
 use crate::numbers::double_double::Pair;
 use crate::real::problem::Problem;
 use crate::real::step::advance;
 use crate::taylor::series::Point;
 use crate::taylor::step::{Checkpoint, Step, guard_at, point_at};
-use crate::taylor::walk::{Halt, Readings, Stepper, Stop, Walk, find_end, read};
+use crate::taylor::walk::{Halt, Readings, StateVector, Stepper, Stop, Walk, find_end, read};
 
 /// A pendulum among the forces that act on it, from its launch.
 #[derive(Clone, Debug)]
@@ -97,8 +97,10 @@ impl Stepper for RealMotion {
     fn state(&self, step: &Step, since: f64) -> StateVector {
         let Point { position: [x, y, z, _], velocity: [vx, vy, vz, _] } = point_at(step, since);
         let speed = self.pendulum.length * self.omega0.hi;
-        let length = self.pendulum.length;
-        [x * length, y * length, z * length, vx * speed, vy * speed, vz * speed]
+        StateVector {
+            position: [x, y, z].map(|value| value * self.pendulum.length),
+            velocity: [vx, vy, vz].map(|value| value * speed),
+        }
     }
 
     /// 0 where the thread is slack.

@@ -1,4 +1,3 @@
 //! Many times at once, whatever the motion.
 
 pub(crate) mod blocks;
-pub(crate) mod rotations;

@@ -1,7 +1,7 @@
 //! When something happens within a step: the zeros of a function of its series, to the last bit.
 
 use crate::numbers::arithmetic::Arithmetic;
-use crate::numbers::roots::zero_of_smooth;
+use crate::numbers::roots::{ScalarFunction, zero_between};
 use crate::taylor::series::{ORDER, Point, Series};
 
 /// Something that happens to the bob at one time, and that can be asked for.
@@ -21,13 +21,6 @@ pub enum Event {
     Slack,
     /// The thread is taut again.
     Taut,
-}
-
-/// A function of the time since the step's start.
-///
-/// It is a trait and not a closure: what is not inlined into the dispatched function is not compiled for its processor.
-pub(crate) trait ScalarFunction<A: Arithmetic> {
-    fn value(&self, since: f64) -> f64;
 }
 
 /// ½ d(ρ²)/dt: from below zero upwards at the closest approach to the axis.
@@ -133,11 +126,8 @@ fn at_most<A: Arithmetic>(function: &impl ScalarFunction<A>, end: f64, upwards: 
         let after = end * (piece as f64 / PIECES as f64);
         let above = sign * function.value(after);
         if below <= 0.0 && above > 0.0 {
-            found.times[found.count] = if below == 0.0 {
-                before
-            } else {
-                zero_of_smooth([before, after], [below, above], |time| sign * function.value(time))
-            };
+            found.times[found.count] =
+                if below == 0.0 { before } else { zero_between::<A>(function, sign, [before, after], [below, above]) };
             found.count += 1;
             if found.count == most {
                 break;

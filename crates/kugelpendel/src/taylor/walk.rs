@@ -1,6 +1,6 @@
 //! A motion, step by step, with everything that is asked about a stretch of time read off in one pass.
 
-use crate::given::times::{StateVector, both_ways};
+use crate::given::times::both_ways;
 use crate::numbers::double_double::Pair;
 use crate::taylor::events::Event;
 use crate::taylor::step::{Checkpoint, Ending, Step, dimensionless, happens};
@@ -20,6 +20,15 @@ pub(crate) trait Stepper {
     fn omega0(&self) -> Pair;
     /// m.
     fn length(&self) -> f64;
+}
+
+/// Where the bob is, and how fast it moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StateVector {
+    /// x, y, z in m from the support, z down.
+    pub position: [f64; 3],
+    /// Their rates in m/s.
+    pub velocity: [f64; 3],
 }
 
 /// The bob at an event.
@@ -299,12 +308,12 @@ fn sweep(
 fn write(motion: &impl Stepper, step: &Step, since: f64, index: usize, readings: &mut Readings<'_>) {
     let triple = 3 * index..3 * index + 3;
     if !readings.position.is_empty() || !readings.velocity.is_empty() {
-        let state = motion.state(step, since);
+        let StateVector { position, velocity } = motion.state(step, since);
         if let Some(out) = readings.position.get_mut(triple.clone()) {
-            out.copy_from_slice(&state[..3]);
+            out.copy_from_slice(&position);
         }
         if let Some(out) = readings.velocity.get_mut(triple) {
-            out.copy_from_slice(&state[3..]);
+            out.copy_from_slice(&velocity);
         }
     }
     if let Some(out) = readings.tension.get_mut(index) {

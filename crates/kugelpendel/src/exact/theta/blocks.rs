@@ -1,13 +1,13 @@
 //! The trigonometric chart at many times.
 
-use crate::exact::phase::Clock;
-use crate::exact::plan::Plan;
+use crate::exact::phase::Phase;
+use crate::exact::sampling::Plan;
 use crate::exact::theta::shape::{Shape, product};
 use crate::exact::theta::trigonometric::{MAX_DEGREE, Trigonometric};
 use crate::given::times::{Quantity, Times};
 use crate::numbers::arithmetic::Arithmetic;
+use crate::sampling::blocks::half;
 use crate::sampling::blocks::{Form, SwingAndFrame, blocks};
-use crate::sampling::rotations::half;
 use std::f64::consts::{PI, TAU};
 
 /// m, and the rates of ζ and of the frame in rad/s.
@@ -42,7 +42,7 @@ pub(crate) fn fill_theta<A: Arithmetic>(
     times: Times<'_>,
     out: &mut [f64],
 ) {
-    let Clock::Periodic { swings, frame, start } = plan.clock else {
+    let Phase::Periodic { swings, frame, start } = plan.phase else {
         return;
     };
     let scale = Scale { length: plan.length, swing: PI * swings.hi, frame: TAU * frame.hi };

@@ -8,7 +8,7 @@ from typing import Any, final
 import numpy as np
 
 from kugelpendel import _core, series
-from kugelpendel.motion._harmonic import HarmonicMotion
+from kugelpendel.motion.approximations._harmonic import HarmonicMotion
 from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum
 
 _POWERS = _core.HarmonicMotions.powers()

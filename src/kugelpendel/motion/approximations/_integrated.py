@@ -18,7 +18,7 @@ class IntegratedMotion(SteppedMotion):
     """A motion in the plan view by an equation r̈ = −Λr, integrated by Taylor series of order 20.
 
     In an ensemble, a case that has ended is NaN from there on; a single motion raises. z lies on
-    the lower half of the sphere.
+    the lower half of the sphere, and the tension is m·g·Λ.
     """
 
     _equation: ClassVar[str]
@@ -36,7 +36,6 @@ class IntegratedMotion(SteppedMotion):
             (launch.kind, [self._column(value) for value in launch.values]),
             self._equation,
         )
-        self._refuse_bad()
 
     def _arguments(self) -> dict[str, Any]:
         return {"pendulum": self.pendulum, "launch": self.launch}
@@ -45,7 +44,7 @@ class IntegratedMotion(SteppedMotion):
     def _rates(self) -> tuple[Scalars, Scalars]:
         rates = np.full((self._count, 2), np.nan)
         bad = {index for index, _ in self._problems()}
-        for index in set(range(self._count)) - bad:
+        for index in sorted(set(range(self._count)) - bad):
             motion = self[np.unravel_index(index, self.shape)] if self.shape else self
             half_swing = float(motion._exact.radial_period)
             found = _core.measured_rates(motion._states, half_swing)
@@ -100,7 +99,7 @@ class IntegratedMotion(SteppedMotion):
     @property
     @abstractmethod
     def trust(self) -> str:
-        """Where the motion holds."""
+        """A sentence that says where the motion holds."""
 
     def _check_times(self, times: Numbers) -> None:
         """All times are good: these motions can be followed backwards too."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import final
 
-from kugelpendel.motion._harmonic import HarmonicMotion
+from kugelpendel.motion.approximations._harmonic import HarmonicMotion
 
 
 @final

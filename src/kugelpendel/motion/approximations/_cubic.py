@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import final
 
-from kugelpendel.motion._integrated import IntegratedMotion
+from kugelpendel.motion.approximations._integrated import IntegratedMotion
 
 
 @final

@@ -1,0 +1,1 @@
+"""The motions of the paper: turning figures, and the equations (12) and (13) integrated."""
