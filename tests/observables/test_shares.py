@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kugelpendel.observables import Course, Shares
+from kugelpendel.observables import Apsides, Shares
 
 EARTH = -5e-5  # rad/s
 
@@ -67,9 +67,9 @@ def test_shares_add_up() -> None:
     assert found.total[0] == pytest.approx(2.75 * EARTH)
 
 
-def test_course_knows_its_mean_and_its_ideal() -> None:
+def test_apsides_know_their_mean_rate_and_foucaults() -> None:
     times = np.array([1.0, 2.0, 5.0])
-    course = Course(times, times, times, np.array([0.3, 0.2, -0.1]), -0.05, 1.0)
-    assert course.mean_rate == pytest.approx(-0.1)
-    assert course.ideal_azimuth == pytest.approx([0.3, 0.25, 0.1])
-    assert Course(times[:1], times[:1], times[:1], times[:1], -0.05, 1.0).mean_rate == 0
+    apsides = Apsides(times, times, times, np.array([0.3, 0.2, -0.1]), -0.05, 1.0)
+    assert apsides.mean_rate == pytest.approx(-0.1)
+    assert apsides.foucault_azimuth == pytest.approx([0.3, 0.25, 0.1])
+    assert Apsides(times[:1], times[:1], times[:1], times[:1], -0.05, 1.0).mean_rate == 0

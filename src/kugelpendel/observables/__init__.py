@@ -1,14 +1,19 @@
 """What one reads off a motion, and what one would read off an ideal one."""
 
+from kugelpendel.observables._apsides import Apsides as Apsides
 from kugelpendel.observables._compare import Compared as Compared
 from kugelpendel.observables._compare import Comparison as Comparison
 from kugelpendel.observables._compare import compare as compare
-from kugelpendel.observables._course import Course as Course
 from kugelpendel.observables._ellipse import Ellipse as Ellipse
 from kugelpendel.observables._ellipse import ellipse as ellipse
 from kugelpendel.observables._ellipse import osculating_ellipse as osculating_ellipse
 from kugelpendel.observables._measured import Rates as Rates
 from kugelpendel.observables._measured import measured_rates as measured_rates
+from kugelpendel.observables._real_summary import Explanation as Explanation
+from kugelpendel.observables._real_summary import Follower as Follower
+from kugelpendel.observables._real_summary import RealSummary as RealSummary
+from kugelpendel.observables._real_summary import Revolutions as Revolutions
+from kugelpendel.observables._real_summary import explain as explain
 from kugelpendel.observables._shares import CAUSES as CAUSES
 from kugelpendel.observables._shares import Shares as Shares
 from kugelpendel.observables._shares import Stretch as Stretch

@@ -116,8 +116,11 @@ impl ApsidesTrack {
 /// The share of Foucault's rate below which a plane stands.
 pub const STANDSTILL: f64 = 0.1;
 
-/// By how much Foucault's plane turns, in rad, in the shortest time over which a rate is measured.
+/// By how much Foucault's plane turns, in rad, in the shortest stretch over which it is seen whether a plane stands.
 const LEAST_TURN: f64 = 0.01;
+
+/// That stretch against all the time, at least.
+const SHORTEST: f64 = 0.02;
 
 /// The share of the time that is over at the end, over which the rate at the end is measured.
 const END: f64 = 0.05;
@@ -139,16 +142,26 @@ pub fn rate_at_the_end(times: &[f64], azimuths: &[f64]) -> f64 {
     mean_rate(&times[index..], &azimuths[index..])
 }
 
-/// Since when a plane stands that the Earth alone would turn with `foucault` rad/s: from then on to the end, whenever one
-/// begins to measure, it turns by less than a tenth of that. None where it does not stand at the end, where nothing
-/// would turn it, and where the time is too short to tell.
+/// Since when a plane stands that the Earth alone would turn with `foucault` rad/s: from then on to the end it turns by
+/// less than a tenth of that in any stretch of the time in which the Earth turns it by 0.01 rad, or of a fiftieth of all
+/// the time where that is longer. None where it does not stand at the end, where nothing would turn it, and where the
+/// time is too short to tell.
 pub fn stands_since(times: &[f64], azimuths: &[f64], foucault: f64) -> Option<f64> {
-    let (end, azimuth) = (*times.last()?, *azimuths.last()?);
-    let least = (LEAST_TURN / foucault.abs()).max(END * (end - times.first()?));
-    let measured = times.iter().zip(azimuths).rev().filter(|(time, _)| end - **time >= least);
-    let stands =
-        |(time, there): &(&f64, &f64)| (azimuth - **there).abs() <= STANDSTILL * foucault.abs() * (end - **time);
-    measured.take_while(stands).last().map(|(time, _)| *time)
+    let (start, end) = (*times.first()?, *times.last()?);
+    let stretch = (LEAST_TURN / foucault.abs()).max(SHORTEST * (end - start));
+    let mut since = None;
+    let mut after = times.len() - 1;
+    for index in (0..times.len()).rev().skip_while(|index| times[*index] + stretch > end) {
+        while after > 0 && times[after - 1] >= times[index] + stretch {
+            after -= 1;
+        }
+        let turned = (azimuths[after] - azimuths[index]).abs();
+        if turned > STANDSTILL * foucault.abs() * (times[after] - times[index]) {
+            break;
+        }
+        since = Some(times[index]);
+    }
+    since
 }
 
 #[cfg(test)]
@@ -166,8 +179,8 @@ mod tests {
     fn a_plane_stands_since_it_has_stopped() {
         let (times, azimuths) = track(20_000.0, 8000.0, 1e-4);
         let since = stands_since(&times, &azimuths, -5e-5).unwrap_or(f64::NAN);
-        // Not before a tenth of the time that is left was turned before the stop.
-        assert!((6500.0..=8020.0).contains(&since), "{since}");
+        // A stretch that begins up to a tenth of its length before the stop turns by no more than a tenth.
+        assert!((7940.0..=8020.0).contains(&since), "{since}");
         assert!(rate_at_the_end(&times, &azimuths).abs() < 1e-6);
         assert!((mean_rate(&times, &azimuths) + 2e-5).abs() < 1e-7);
     }
