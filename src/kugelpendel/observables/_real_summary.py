@@ -21,13 +21,13 @@ if TYPE_CHECKING:
     from kugelpendel.motion import AskedEvent, Leg
 
 _ROUND = 0.9
-"""An ellipse whose |b| is never less than this share of a is a circle to who looks for its plane."""
+"""An ellipse whose |b| is never less than this share of a is taken for a circle."""
 
 _REVOLUTIONS = 100
 """Revolutions over which the two senses of a circle are compared, at most."""
 
 _TIMES = 2001
-"""Times at which the causes are told apart; modulations last hours, and a day has one every 43 s."""
+"""Times at which causes are told apart: modulations last hours, and a day has one every 43 s."""
 
 
 @dataclass(frozen=True)
