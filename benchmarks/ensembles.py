@@ -6,8 +6,8 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-import reference
-from carlson import Roots, rates
+from contenders import reference
+from contenders.carlson import Roots, rates
 from report import Ratio, Section, Table
 from scipy.special import elliprf, elliprj
 from timing import paired

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-import ball_joint
-import cartesian
 import numpy as np
-import reference
-from cartesian import GRAVITY, LENGTH, PERIOD, A, B
+from contenders import ball_joint, cartesian, reference
+from contenders.cartesian import GRAVITY, LENGTH, PERIOD, A, B
+from contenders.turning_points import Path, apsides
 from report import Section, Table, duration
 from scipy.integrate import solve_ivp
 from timing import paired
-from turning_points import Path, apsides
 
 import kugelpendel as kp
 

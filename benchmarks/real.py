@@ -9,7 +9,7 @@ import sys
 
 import heyoka as hy
 import numpy as np
-from cartesian import GRAVITY, LENGTH, OMEGA, PERIOD, A, B, start
+from contenders.cartesian import GRAVITY, LENGTH, OMEGA, PERIOD, A, B, start
 from report import Ratio, Section, Table
 from scipy.integrate import solve_ivp
 from timing import paired

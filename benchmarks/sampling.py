@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import cartesian
 import numpy as np
-import reference
-from cartesian import GRAVITY, LENGTH, A, B
+from contenders import cartesian, reference
+from contenders.cartesian import GRAVITY, LENGTH, A, B
 from flint import arb
 from report import Ratio, Section
 from timing import paired

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import time
 
-import cartesian
 import numpy as np
-import reference
-from cartesian import GRAVITY, LENGTH, PERIOD, A, B
+from contenders import cartesian, reference
+from contenders.cartesian import GRAVITY, LENGTH, PERIOD, A, B
 from report import Ratio, Section
 from timing import paired
 

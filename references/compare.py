@@ -4,9 +4,9 @@ from typing import Any
 
 from flint import arb
 
-from . import fixed
-from .launch import Case, is_plane
-from .motion import Result, solve
+from references import fixed
+from references.launch import Case, is_plane
+from references.motion import Result, solve
 
 
 def compare(stored: list[dict[str, Any]]) -> float:

@@ -14,15 +14,15 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from .compare import compare
-from .edges import edges
-from .launch import Case, is_plane
-from .limits import picked
-from .motion import solve
-from .regimes import drawn
-from .spread import spread
-from .stored import ABOUT, entry, write
-from .verify import AGREEMENT, again, elementary, straight
+from references.cases.edges import edges
+from references.cases.limits import picked
+from references.cases.regimes import drawn
+from references.compare import compare
+from references.launch import Case, is_plane
+from references.motion import solve
+from references.spread import spread
+from references.stored import ABOUT, entry, write
+from references.verify import AGREEMENT, again, elementary, straight
 
 FILE = Path(__file__).parents[1] / "tests" / "reference" / "ideal.json"
 SAME = 1e-24

@@ -5,8 +5,8 @@ from fractions import Fraction
 
 from flint import arb
 
-from . import fixed
-from .taylor import State
+from references import fixed
+from references.taylor import State
 
 Vector = tuple[arb, arb, arb]
 

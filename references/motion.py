@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 from flint import arb
 
-from . import fixed
-from .launch import Case, Start, start
-from .orbit import BITS, Orbit, Path
-from .taylor import Law, State, normalised
+from references import fixed
+from references.launch import Case, Start, start
+from references.orbit import BITS, Orbit, Path
+from references.taylor import Law, State, normalised
 
 SMALL = 1e-7
 NEAR_TOP = 1e-12

@@ -10,9 +10,9 @@ from bisect import bisect_left
 
 from flint import acb, arb
 
-from . import fixed
-from .launch import Start
-from .taylor import STEP_BITS, Law, Segment, State, march, normalised
+from references import fixed
+from references.launch import Start
+from references.taylor import STEP_BITS, Law, Segment, State, march, normalised
 
 SUBSTEPS = 16
 BITS = 256

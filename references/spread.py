@@ -10,10 +10,10 @@ from math import ulp
 
 from flint import arb
 
-from . import fixed
-from .launch import Case
-from .motion import Result, solve
-from .taylor import conserved
+from references import fixed
+from references.launch import Case
+from references.motion import Result, solve
+from references.taylor import conserved
 
 NUDGE = arb(2) ** -70
 BITS = 224

@@ -5,10 +5,10 @@ from pathlib import Path
 
 from flint import arb
 
-from . import fixed
-from .launch import Case
-from .motion import Result
-from .spread import Spread
+from references import fixed
+from references.launch import Case
+from references.motion import Result
+from references.spread import Spread
 
 ABOUT = (
     "Ideal spherical pendulum, written by references/generate.py. SI units; z is measured down "

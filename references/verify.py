@@ -4,11 +4,11 @@ from math import pi
 
 from flint import arb
 
-from . import fixed
-from .launch import Case
-from .motion import Result, solve
-from .orbit import BITS, Path
-from .taylor import State, conserved
+from references import fixed
+from references.launch import Case
+from references.motion import Result, solve
+from references.orbit import BITS, Path
+from references.taylor import State, conserved
 
 AGREEMENT = 1e-26
 

@@ -5,6 +5,11 @@ from .builder import Check as Check
 from .builder import Design as Design
 from .builder import design as design
 from .citation import cite as cite
+from .errors import EventNotFound as EventNotFound
+from .errors import InvalidInput as InvalidInput
+from .errors import KugelpendelError as KugelpendelError
+from .errors import MissingExtra as MissingExtra
+from .errors import MotionEnded as MotionEnded
 from .motion import CubicMotion as CubicMotion
 from .motion import EnvelopeMotion as EnvelopeMotion
 from .motion import ExactMotion as ExactMotion
@@ -30,7 +35,7 @@ from .observables import validity_map as validity_map
 from .parameters import Bob as Bob
 from .parameters import Drag as Drag
 from .parameters import Drive as Drive
-from .parameters import InvalidInput as InvalidInput
+from .parameters import Forces as Forces
 from .parameters import Launch as Launch
 from .parameters import Pendulum as Pendulum
 from .parameters import Site as Site
@@ -50,12 +55,17 @@ __all__ = [
     "Drive",
     "Ellipse",
     "EnvelopeMotion",
+    "EventNotFound",
     "ExactMotion",
+    "Forces",
     "IdealSummary",
     "InvalidInput",
+    "KugelpendelError",
     "Launch",
     "LinearMotion",
+    "MissingExtra",
     "Motion",
+    "MotionEnded",
     "OlssonMotion",
     "Pendulum",
     "PlaneMotion",

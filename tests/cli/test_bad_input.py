@@ -1,5 +1,6 @@
 """Everything that can be wrong with a job: a sentence, exit code 2, and no file."""
 
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -44,7 +45,7 @@ SENTENCES: list[tuple[str, dict[str, dict[str, Any]], list[str]]] = [
     (
         "off the sphere",
         {"launch": {"kind": "state", "position": [0, 0, 2], "velocity": [0, 0, 0]}},
-        ["sphere", "2 m", "Launch.plane"],
+        ["sphere", "2 m", 'use kind = "plane"'],
     ),
     (
         "velocity out of the tangent plane",
@@ -211,6 +212,7 @@ def test_package_that_is_not_installed(call, write, monkeypatch: pytest.MonkeyPa
         raise ModuleNotFoundError("No module named 'pint'", name="pint")
 
     monkeypatch.setattr(quantity, "_registry", absent)
+    monkeypatch.setitem(sys.modules, "pint", None)
     _is_refused(call("run", write()), ["pint is not installed", "kugelpendel[run]"])
 
 

@@ -106,8 +106,8 @@ def _short(job: Job, shares: Shares) -> None:
 
 
 def _short_remedy(job: Job, shares: Shares) -> None:
-    suspension = read_job(job.file.with_name("short.toml")).setup.suspension
-    assert job.setup.suspension == suspension  # "in the same clamp"
+    suspension = read_job(job.file.with_name("short.toml")).forces.suspension
+    assert job.forces.suspension == suspension  # "in the same clamp"
     assert np.abs(shares.beyond_earth).max() < 0.02 * abs(shares.earth[0])
     off = np.degrees(shares.azimuth - shares.azimuth[0] - shares.earth * shares.times)
     assert np.abs(off).max() < 0.7

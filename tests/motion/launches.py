@@ -98,8 +98,8 @@ def launched(pendulum: Pendulum, launch: Launch) -> tuple[Vector, Vector]:
             radius = hypot(x, y)
             depth = sqrt((length - radius) * (length + radius))
             return np.array([x, y, depth]), np.array([vx, vy, -(x * vx + y * vy) / depth])
-        case "angles":
-            theta, phi, theta_rate, phi_rate = values
+        case "angles" | "at_rest":
+            theta, phi, theta_rate, phi_rate = (*values, 0.0, 0.0)[:4]
             outward = np.array([cos(phi), sin(phi), 0.0])
             sideways = np.array([-sin(phi), cos(phi), 0.0])
             position = sin(theta) * outward + cos(theta) * DOWN
@@ -119,14 +119,26 @@ def _changed(launch: Launch, **signs: str) -> Launch:
 def backwards(launch: Launch) -> Launch:
     """The same place, the opposite velocity."""
     return _changed(
-        launch, ellipse="+-+", apsides="+-+", plane="++--", angles="++--", state="+++---"
+        launch,
+        ellipse="+-+",
+        apsides="+-+",
+        plane="++--",
+        angles="++--",
+        state="+++---",
+        at_rest="++",
     )
 
 
 def mirrored(launch: Launch) -> Launch:
     """y for −y."""
     return _changed(
-        launch, ellipse="+--", apsides="+--", plane="+-+-", angles="+-+-", state="+-++-+"
+        launch,
+        ellipse="+--",
+        apsides="+--",
+        plane="+-+-",
+        angles="+-+-",
+        state="+-++-+",
+        at_rest="+-",
     )
 
 
@@ -154,7 +166,7 @@ def powers_of_ten(lowest: float, highest: float) -> st.SearchStrategy[float]:
 
 
 signs = st.sampled_from([-1.0, 1.0])
-azimuths = st.floats(-7.0, 7.0)
+azimuths = st.floats(-6.28, 6.28)
 pendulums = st.builds(Pendulum, powers_of_ten(-3, 4), powers_of_ten(-1, 2), powers_of_ten(-3, 3))
 # Of the length, or of a speed or rate: zero, tiny and ordinary ones.
 fractions = st.one_of(st.just(0.0), powers_of_ten(-12, -1), st.floats(1e-3, 0.999))

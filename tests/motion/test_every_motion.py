@@ -211,9 +211,9 @@ def test_the_next_event_is_the_first_of_them(name: str) -> None:
     times = motion.events("inner", 0.0, 12.0)
     assert motion.next_event("inner") == pytest.approx(times[0], rel=1e-14)
     assert motion.next_event("inner", after=float(times[0])) == pytest.approx(times[1], rel=1e-13)
-    with pytest.raises(kp.InvalidInput, match=r'"radius" does not come within 5 s after 0 s'):
+    with pytest.raises(kp.EventNotFound, match=r'"radius" does not come within 5 s after 0 s'):
         motion.next_event("radius", within=5.0, value=0.5)
-    with pytest.raises(kp.InvalidInput, match=r"does not come"):
+    with pytest.raises(kp.EventNotFound, match=r"does not come"):
         motion.next_event("slack", within=5.0)
 
 

@@ -50,15 +50,16 @@ def mirror_image_is_a_motion(motion: ExactMotion) -> None:
 
 def azimuth_turns_the_motion(motion: ExactMotion) -> None:
     launch, times = motion.launch, time_unit(motion) * MOMENTS
-    where = {"ellipse": 2, "apsides": 2, "angles": 1}.get(launch.kind)
+    where = {"ellipse": 2, "apsides": 2, "angles": 1, "at_rest": 1}.get(launch.kind)
     if where is None:
         return
     turned = [float(value) for value in launch.values]
-    turned[where] += 1.25  # exact, or rounded by far less than POSITION
+    turn = 1.25 if turned[where] < 4 else -1.25  # not beyond 2π
+    turned[where] += turn  # exact, or rounded by far less than POSITION
     image = ExactMotion(motion.pendulum, Launch(launch.kind, tuple(turned)))
     same(motion, image, (*CONSTANTS, "precession", "angular_momentum", "slack_time", "apsis_time"))
     x, y, z = np.moveaxis(motion.position(times), -1, 0)
-    expected = [x * cos(1.25) - y * sin(1.25), x * sin(1.25) + y * cos(1.25), z]
+    expected = [x * cos(turn) - y * sin(turn), x * sin(turn) + y * cos(turn), z]
     gap = image.position(times) - np.stack(expected, axis=-1)
     assert np.abs(gap).max() <= POSITION * float(motion.pendulum.length)
 
@@ -72,6 +73,7 @@ def units_do_not_matter(motion: ExactMotion) -> None:
         "plane": [4, 4, 2, 2],
         "angles": [1, 1, 0.5, 0.5],
         "state": [4, 4, 4, 2, 2, 2],
+        "at_rest": [1, 1],
     }[launch.kind]
     values = tuple(float(v) * power for v, power in zip(launch.values, powers, strict=True))
     larger = Pendulum(4 * float(pendulum.length), float(pendulum.gravity), float(pendulum.mass))

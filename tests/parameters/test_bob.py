@@ -52,16 +52,15 @@ REFUSED = [
     (lambda: Bob(0.0, 8e3), "bob's radius must be positive and finite, but it is 0 m; a point is"),
     (lambda: Bob(-0.1, 8e3), "bob's radius must be positive"),
     (lambda: Bob(0.1, 0.0), "bob's density must be positive and finite, but it is 0 kg/m³"),
-    (lambda: Bob(0.1, [8e3, math.nan]), "bob's density .* is nan kg/m³ at index 1"),
+    (lambda: Bob(0.1, math.nan), "bob's density .* is nan kg/m³; "),
     (lambda: Bob(0.1, 8e3, -1.0), "thread's mass must be finite and not negative, .* -1 kg"),
     (lambda: Bob(0.1, 8e3, 0.0, -1.0), "air's density must be finite and not negative"),
     (lambda: Bob(0.1, 1.1), "bob's density must exceed that of the air, but it is 1.1 kg/m³; a"),
     (lambda: Bob(0.1, 1.204), "bob's density must exceed that of the air"),
-    (lambda: Bob(0.1, 8e3, 0.0, [1.2, 9e3]), "is 8000 kg/m³ at index 1; a bob lighter than air"),
+    (lambda: Bob(0.1, 8e3, 0.0, 9e3), "is 8000 kg/m³; a bob lighter than air"),
     (lambda: Bob("10 cm", 8e3), "bob's radius must be a number .* in m"),  # pyright: ignore[reportArgumentType]
     (lambda: Bob([0.1, 0.2], [1e3, 2e3, 3e3]), "do not fit together"),
     (lambda: Bob(1.0, 8e3).gravity_factor(1.0), "radius must be less than the length .* is 1 m; "),
-    (lambda: Bob(1.0, 8e3).gravity_factor([2.0, 0.5]), "radius must be less .* 1 m at index 1"),
     (lambda: Bob(1.0, 8e3).gravity_factor(-1.0), "length must be positive"),
     (lambda: Bob([0.1, 0.2], 8e3).gravity_factor([1.0, 2.0, 3.0]), "do not fit together"),
 ]

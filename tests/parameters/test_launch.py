@@ -26,8 +26,8 @@ PENDULUM = Pendulum(2.0, 9.8)
         (Launch.plane(x=1, y=0, vx=0, vy=2), "plane", (1.0, 0.0, 0.0, 2.0)),
         (Launch.angles(1.0), "angles", (1.0, 0.0, 0.0, 0.0)),
         (Launch.angles(1.0, phi_rate=3, phi=2), "angles", (1.0, 2.0, 0.0, 3.0)),
-        (Launch.at_rest(1.0), "angles", (1.0, 0.0, 0.0, 0.0)),
-        (Launch.at_rest(1.0, 0.5), "angles", (1.0, 0.5, 0.0, 0.0)),
+        (Launch.at_rest(1.0), "at_rest", (1.0, 0.0)),
+        (Launch.at_rest(1.0, 0.5), "at_rest", (1.0, 0.5)),
         (Launch.state([0, 0, 2], [1, 2, 0]), "state", (0.0, 0.0, 2.0, 1.0, 2.0, 0.0)),
     ],
     ids=str,
@@ -89,7 +89,8 @@ def test_equality_and_hash() -> None:
         assert copy.deepcopy(one) == one
         assert [other == one for other in SEVERAL] == [i == k for k in range(len(SEVERAL))]
     assert len({*SEVERAL, *SEVERAL}) == len(SEVERAL)
-    assert Launch.at_rest(1.0) == Launch.angles(1.0)
+    assert Launch.at_rest(1.0) == Launch.at_rest(1)
+    assert Launch.at_rest(1.0) != Launch.angles(1.0)
     assert Launch.at_rest(1.0) != 1.0
 
 
@@ -101,7 +102,7 @@ def test_negative_zero_is_zero(azimuth: float) -> None:
 
 
 def test_representation_names_kind_and_values() -> None:
-    assert repr(Launch.ellipse(0.1, 0.2)) == "Launch(kind='ellipse', values=(0.1, 0.2, 0.0))"
+    assert repr(Launch.ellipse(0.1, 0.2)) == "Launch.ellipse(a=0.1 m, b=0.2 m, azimuth=0 rad)"
 
 
 Maker = Callable[..., Launch]
@@ -206,6 +207,51 @@ def test_not_finite(kind: str, names: list[str], value: float) -> None:
             ExactMotion(PENDULUM, Launch(kind, tuple(values)))
 
 
+@pytest.mark.parametrize(
+    ("make", "said"),
+    [
+        (lambda: Launch.angles(45.0), r"theta must lie between −2π and 2π rad, but it is 45 rad; "
+                                      r"write math.radians\(45\) if these are degrees"),
+        (lambda: Launch.at_rest(-6.5), "theta must lie between −2π and 2π rad, but it is -6.5 rad"),
+        (lambda: Launch.angles(0.1, 90.0), "launch's phi must lie between"),
+        (lambda: Launch.ellipse(0.1, 0.0, 90.0), "launch's azimuth must lie between"),
+        (lambda: Launch.apsides(0.1, 0.0, -30.0), "launch's azimuth must lie between"),
+    ],
+)  # fmt: skip
+def test_angles_in_degrees(make: Maker, said: str) -> None:
+    with pytest.raises(InvalidInput, match=said):
+        make()
+
+
+def test_angles_in_degrees_of_an_ensemble() -> None:
+    motion = ExactMotion(PENDULUM, Launch.at_rest([0.3, 30.0, 0.5]))
+    assert list(motion.problems) == [1]
+    assert "math.radians(30)" in motion.problems[1]
+    assert np.isfinite(motion.position(1.0)[[0, 2]]).all()
+
+
+@pytest.mark.parametrize(
+    ("kind", "values", "said"),
+    [
+        (
+            "circle",
+            (0.1,),
+            "kind must be one of 'ellipse', .*, but it is 'circle'; make it with La",
+        ),
+        (3, (0.1,), "kind must be one of .* but it is 3"),
+        (np.array(["ellipse"]), (0.1,), "kind must be one of .* but it is array"),
+        ("ellipse", (0.1, 0.2), r"takes 3 values \(a, b, azimuth\), but there are 2; make it with"),
+        ("ellipse", [0.1, 0.2, 0.3], r"takes 3 values .*, but there are \[0.1, 0.2, 0.3\]"),
+        ("ellipse", 0.1, "takes 3 values .*, but there are 0.1"),
+        ("ellipse", (0.1, "b", 0.0), "The launch's b must be a number .* but it is 'b'"),
+        ("at_rest", (0.1, 0.2, 0.3), "takes 2 values"),
+    ],
+)
+def test_launches_made_by_hand(kind: object, values: object, said: str) -> None:
+    with pytest.raises(InvalidInput, match=said):
+        Launch(kind, values)  # pyright: ignore[reportArgumentType]
+
+
 def test_rounding_of_a_state_is_projected_away() -> None:
     # The state below is exactly on the sphere and tangent to it; it is given with a radial part.
     position, velocity = np.array([1.2, 0.0, 1.6]), np.array([0.8, 0.7, -0.6])
@@ -222,6 +268,6 @@ def test_limits_that_are_allowed() -> None:
         Launch.apsides(0.5, -0.5),
         Launch.ellipse(0.1, 1e3),
         Launch.plane(0.0, np.nextafter(-2.0, 0), 0.0, 0.0),
-        Launch.angles(-7.0, 1e6, -30.0, 1e5),
+        Launch.angles(-2 * np.pi, 2 * np.pi, -30.0, 1e5),
     ):
         assert np.isfinite(ExactMotion(PENDULUM, launch).position([0.0, 1.0])).all()

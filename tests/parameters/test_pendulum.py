@@ -80,8 +80,9 @@ def test_equality_and_hash() -> None:
     assert hash(Pendulum([0.0, 1.0])) == hash(Pendulum([-0.0, 1.0]))
 
 
-def test_representation_can_be_pasted() -> None:
-    assert repr(Pendulum(67.0, mass=28)) == "Pendulum(length=67.0, gravity=9.80665, mass=28.0)"
+def test_representation_has_units() -> None:
+    said = "Pendulum(length=67 m, gravity=9.80665 m/s², mass=28 kg)"
+    assert repr(Pendulum(67.0, mass=28)) == said
 
 
 @pytest.mark.parametrize("value", [0.0, -0.0, -1.5, nan, inf, -inf, 0])

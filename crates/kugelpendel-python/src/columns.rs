@@ -7,6 +7,12 @@ use pyo3::prelude::*;
 
 pub(crate) type Numbers<'py> = Bound<'py, PyArray1<f64>>;
 
+/// # Errors
+/// An unknown kind.
+pub(crate) fn known_launcher(kind: &str) -> PyResult<(usize, Launcher)> {
+    launcher(kind).ok_or_else(|| PyValueError::new_err(format!("there is no launch of kind {kind:?}")))
+}
+
 /// Columns of one value for all or of one value each.
 pub(crate) struct Columns<'a>(Vec<&'a [f64]>);
 
@@ -14,11 +20,16 @@ impl<'a> Columns<'a> {
     /// # Errors
     /// Another count of columns, or of rows.
     pub(crate) fn checked(columns: &'a [PyReadonlyArray1<'_, f64>], width: usize, rows: usize) -> PyResult<Self> {
-        let columns = Self(columns.iter().map(PyReadonlyArray1::as_slice).collect::<Result<_, _>>()?);
-        if columns.0.len() != width || columns.0.iter().any(|column| column.len() != 1 && column.len() != rows) {
+        Self::of(columns.iter().map(PyReadonlyArray1::as_slice).collect::<Result<_, _>>()?, width, rows)
+    }
+
+    /// # Errors
+    /// As [`Self::checked`].
+    pub(crate) fn of(columns: Vec<&'a [f64]>, width: usize, rows: usize) -> PyResult<Self> {
+        if columns.len() != width || columns.iter().any(|column| column.len() != 1 && column.len() != rows) {
             return Err(PyValueError::new_err(format!("this takes {width} columns of 1 or {rows} numbers")));
         }
-        Ok(columns)
+        Ok(Self(columns))
     }
 
     pub(crate) fn row<const N: usize>(&self, index: usize) -> [f64; N] {
@@ -26,11 +37,22 @@ impl<'a> Columns<'a> {
     }
 }
 
+/// The rows of what may be missing.
+pub(crate) trait Rows {
+    fn row_of<const N: usize>(&self, index: usize) -> Option<[f64; N]>;
+}
+
+impl Rows for Option<Columns<'_>> {
+    fn row_of<const N: usize>(&self, index: usize) -> Option<[f64; N]> {
+        self.as_ref().map(|columns| columns.row(index))
+    }
+}
+
 /// Makes the launch of one row.
 pub(crate) type Launcher = fn(&Columns<'_>, usize) -> Launch;
 
 /// What turns a row of numbers into a launch of the given kind, and how many numbers it takes.
-pub(crate) fn launcher(kind: &str) -> Option<(usize, Launcher)> {
+fn launcher(kind: &str) -> Option<(usize, Launcher)> {
     Some(match kind {
         "ellipse" => (3, |columns, i| {
             let [a, b, azimuth] = columns.row(i);
@@ -47,6 +69,10 @@ pub(crate) fn launcher(kind: &str) -> Option<(usize, Launcher)> {
         "angles" => (4, |columns, i| {
             let [theta, phi, theta_rate, phi_rate] = columns.row(i);
             Launch::Angles { theta, phi, theta_rate, phi_rate }
+        }),
+        "at_rest" => (2, |columns, i| {
+            let [theta, phi] = columns.row(i);
+            Launch::Angles { theta, phi, theta_rate: 0.0, phi_rate: 0.0 }
         }),
         "state" => (6, |columns, i| {
             let [x, y, z, vx, vy, vz] = columns.row(i);

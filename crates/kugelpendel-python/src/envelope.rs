@@ -1,14 +1,14 @@
 //! Averaged motions: flat arrays in, flat arrays out.
 
-use crate::columns::{Columns, Numbers, launcher, new_array};
-use crate::real::{drive, forces};
+use crate::columns::{Numbers, new_array};
+use crate::given::{Problems, Told, bad, each_case, problems, tell};
 use crate::signal::lock;
-use crate::stepped::problems;
-use kugelpendel::{Envelope, EnvelopeMotion, EnvelopeWalks, Invalid, Pendulum, Quantity};
+use kugelpendel::{Envelope, EnvelopeMotion, EnvelopeWalks, Invalid, Quantity, in_parallel};
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
+use std::collections::HashMap;
 use std::sync::Mutex;
 
 /// Motions in a row, each with how far it has been integrated.
@@ -27,36 +27,24 @@ impl EnvelopeMotions {
         count: usize,
         pendulum: Vec<PyReadonlyArray1<'_, f64>>,
         launch: (&str, Vec<PyReadonlyArray1<'_, f64>>),
-        forces: Vec<PyReadonlyArray1<'_, f64>>,
-        drive: (&str, Vec<PyReadonlyArray1<'_, f64>>),
+        acting: HashMap<String, PyReadonlyArray1<'_, f64>>,
         exact: bool,
     ) -> PyResult<Self> {
-        let (width, make) = launcher(launch.0)
-            .ok_or_else(|| PyValueError::new_err(format!("there is no launch of kind {:?}", launch.0)))?;
-        let pendulum = Columns::checked(&pendulum, 3, count)?;
-        let values = Columns::checked(&launch.1, width, count)?;
-        let acting = Columns::checked(&forces, 8, count)?;
-        let driving = Columns::checked(&drive.1, 2, count)?;
-        let cases = (0..count).map(|index| {
-            let [length, gravity, mass] = pendulum.row(index);
-            let pendulum = Pendulum { length, gravity, mass };
-            let [push, when] = driving.row(index);
-            let driven = self::drive(drive.0, push, when)?;
-            Ok((pendulum, make(&values, index), self::forces(&acting, index), driven))
-        });
-        let cases = cases.collect::<PyResult<Vec<_>>>()?;
-        let motions = py.detach(|| {
-            let made = cases.into_par_iter().with_min_len(64);
-            made.map(|(pendulum, launch, forces, drive)| EnvelopeMotion::new(pendulum, launch, forces, drive, exact))
-                .collect()
-        });
+        let motions = each_case(py, count, &pendulum, launch.0, &launch.1, &acting, |pendulum, launch, acting| {
+            EnvelopeMotion::under(&acting, pendulum, launch, exact)
+        })?;
         let walks = (0..count).map(|_| Mutex::default()).collect();
         Ok(Self { motions, walks })
     }
 
-    /// Index and sentence of each bad case.
-    fn problems(&self) -> Vec<(usize, String)> {
-        problems(&self.motions)
+    /// Index of each bad case and the number of its kind.
+    fn problems<'py>(&self, py: Python<'py>) -> Problems<'py> {
+        problems(py, bad(&self.motions))
+    }
+
+    /// What is wrong with one case.
+    fn problem(&self, index: usize) -> Option<Told> {
+        self.motions[index].as_ref().err().map(tell)
     }
 
     /// "position", "velocity", "semi_axes", "azimuth", "phase" or "rates", and when each motion has ended before one of
@@ -95,7 +83,7 @@ impl EnvelopeMotions {
                 return row(0, out, end);
             }
             let rows = out.par_chunks_mut(size).zip(&mut ends).enumerate();
-            rows.for_each(|(index, (out, end))| row(index, out, end));
+            in_parallel(|| rows.for_each(|(index, (out, end))| row(index, out, end)));
         });
         Ok((array, ends.into_pyarray(py)))
     }
@@ -109,7 +97,7 @@ impl EnvelopeMotions {
     /// The times in s between which each motion holds, two to a motion, looked for within a time; NaN for the bad ones.
     fn span<'py>(&self, py: Python<'py>, within: f64) -> Numbers<'py> {
         let span = |motion: &Result<EnvelopeMotion, Invalid>| motion.as_ref().map_or([f64::NAN; 2], |m| m.span(within));
-        let spans: Vec<_> = py.detach(|| self.motions.par_iter().flat_map_iter(span).collect());
+        let spans: Vec<_> = py.detach(|| in_parallel(|| self.motions.par_iter().flat_map_iter(span).collect()));
         spans.into_pyarray(py)
     }
 }

@@ -1,6 +1,7 @@
 //! Exact motions: flat arrays in, flat arrays out.
 
-use crate::columns::{Columns, Numbers, launcher, new_array};
+use crate::columns::{Columns, Numbers, known_launcher, new_array};
+use crate::given::{Problems, Told, problems, tell};
 use crate::meaning::event;
 use kugelpendel::{EllipseRates, Ensemble, ExactMotion, Harmonic, IdealSummary, Pendulum, Quantity, Times};
 use numpy::{Complex64, IntoPyArray, PyArray1, PyReadonlyArray1, PyReadwriteArray1};
@@ -30,8 +31,7 @@ impl ExactMotions {
         kind: &str,
         values: Vec<PyReadonlyArray1<'_, f64>>,
     ) -> PyResult<Self> {
-        let (width, launch) =
-            launcher(kind).ok_or_else(|| PyValueError::new_err(format!("there is no launch of kind {kind:?}")))?;
+        let (width, launch) = known_launcher(kind)?;
         let pendulum = Columns::checked(&pendulum, 3, count)?;
         let values = Columns::checked(&values, width, count)?;
         let ensemble = py.detach(|| {
@@ -43,9 +43,14 @@ impl ExactMotions {
         Ok(Self { ensemble })
     }
 
-    /// Index and sentence of each bad case.
-    fn problems(&self) -> Vec<(usize, String)> {
-        self.ensemble.problems().map(|(index, invalid)| (index, invalid.to_string())).collect()
+    /// Index of each bad case and the number of its kind.
+    fn problems<'py>(&self, py: Python<'py>) -> Problems<'py> {
+        problems(py, self.ensemble.problems())
+    }
+
+    /// What is wrong with one case.
+    fn problem(&self, index: usize) -> Option<Told> {
+        self.ensemble.motion(index).as_ref().err().map(tell)
     }
 
     fn position<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {
@@ -194,24 +199,27 @@ impl ExactMotions {
     }
 
     /// (order, frequency, amplitude) in the plan view and of the height, row after row; NaN and the order 0 where there
-    /// is no spectrum, and why.
-    fn spectrum<'py>(&self, py: Python<'py>, pairs: usize) -> (Harmonics<'py>, Harmonics<'py>, Vec<(usize, String)>) {
+    /// is no spectrum, and why there is none of the first.
+    fn spectrum<'py>(&self, py: Python<'py>, pairs: usize) -> (Harmonics<'py>, Harmonics<'py>, Option<Told>) {
         const ABSENT: Harmonic = Harmonic { order: 0, frequency: f64::NAN, amplitude: [f64::NAN; 2] };
-        let (mut plan, mut vertical, mut problems) = (Vec::new(), Vec::new(), Vec::new());
-        for index in 0..self.ensemble.len() {
-            match self.ensemble.motion(index).clone().and_then(|motion| motion.spectrum(pairs)) {
-                Ok(spectrum) => {
-                    plan.extend(spectrum.plan);
-                    vertical.extend(spectrum.vertical);
-                }
-                Err(reason) => {
-                    problems.push((index, reason.to_string()));
-                    plan.extend(vec![ABSENT; 2 * pairs]);
-                    vertical.extend(vec![ABSENT; pairs + 1]);
+        let (plan, vertical, first) = py.detach(|| {
+            let (mut plan, mut vertical, mut first) = (Vec::new(), Vec::new(), None);
+            for index in 0..self.ensemble.len() {
+                match self.ensemble.motion(index).and_then(|motion| motion.spectrum(pairs)) {
+                    Ok(spectrum) => {
+                        plan.extend(spectrum.plan);
+                        vertical.extend(spectrum.vertical);
+                    }
+                    Err(invalid) => {
+                        first = first.or_else(|| (index == 0).then(|| tell(&invalid)));
+                        plan.extend(vec![ABSENT; 2 * pairs]);
+                        vertical.extend(vec![ABSENT; pairs + 1]);
+                    }
                 }
             }
-        }
-        (columns(py, &plan), columns(py, &vertical), problems)
+            (plan, vertical, first)
+        });
+        (columns(py, &plan), columns(py, &vertical), first)
     }
 }
 
@@ -238,8 +246,12 @@ impl ExactMotions {
         new_array(py, width * self.ensemble.len(), fill)
     }
 
-    fn each<'py, const N: usize>(&self, py: Python<'py>, quantity: impl Fn(&ExactMotion) -> [f64; N]) -> Numbers<'py> {
-        self.ensemble.map(quantity).into_pyarray(py)
+    fn each<'py, const N: usize>(
+        &self,
+        py: Python<'py>,
+        quantity: impl Fn(&ExactMotion) -> [f64; N] + Send,
+    ) -> Numbers<'py> {
+        py.detach(|| self.ensemble.map(quantity)).into_pyarray(py)
     }
 }
 

@@ -1,12 +1,13 @@
 //! Figures of a few harmonics: flat arrays in, flat arrays out.
 
-use crate::columns::{Columns, Numbers, launcher, new_array};
+use crate::columns::{Numbers, new_array};
+use crate::given::{Problems, Told, bad, each_case, problems, tell};
 use crate::meaning::event;
-use crate::stepped::problems;
-use kugelpendel::{HarmonicLaw, HarmonicMotion, Invalid, MAX_POWER, Pendulum, Quantity, Times};
+use kugelpendel::{HarmonicLaw, HarmonicMotion, Invalid, MAX_POWER, Quantity, Times};
 use numpy::{IntoPyArray, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use std::collections::HashMap;
 
 /// Turning figures of a few harmonics in a row.
 #[pyclass(frozen, module = "kugelpendel._core")]
@@ -26,22 +27,15 @@ impl HarmonicMotions {
         values: Vec<PyReadonlyArray1<'_, f64>>,
         law: &str,
     ) -> PyResult<Self> {
-        let (width, launch) =
-            launcher(kind).ok_or_else(|| PyValueError::new_err(format!("there is no launch of kind {kind:?}")))?;
         let law = match law {
             "linear" => HarmonicLaw::Linear,
             "olsson" => HarmonicLaw::Olsson,
             _ => return Err(PyValueError::new_err(format!("there is no law {law:?}"))),
         };
-        let pendulum = Columns::checked(&pendulum, 3, count)?;
-        let values = Columns::checked(&values, width, count)?;
-        let motions = py.detach(|| {
-            let made = (0..count).map(|index| {
-                let [length, gravity, mass] = pendulum.row(index);
-                HarmonicMotion::new(Pendulum { length, gravity, mass }, launch(&values, index), law)
-            });
-            made.collect()
-        });
+        let nothing = HashMap::new();
+        let motions = each_case(py, count, &pendulum, kind, &values, &nothing, |pendulum, launch, _| {
+            HarmonicMotion::new(pendulum, launch, law)
+        })?;
         Ok(Self { motions })
     }
 
@@ -56,7 +50,7 @@ impl HarmonicMotions {
         let motions = self.motions.iter().zip(rows.rows()).map(|(motion, row)| {
             let powers = |first: usize| std::array::from_fn(|k| row[first + k]);
             let (inner, outer) = (powers(2), powers(2 + POWERS));
-            motion.clone().map(|motion| motion.with_figure(row[0], row[1], inner, outer))
+            motion.map(|motion| motion.with_figure(row[0], row[1], inner, outer))
         });
         Ok(Self { motions: motions.collect() })
     }
@@ -67,9 +61,14 @@ impl HarmonicMotions {
         MAX_POWER + 1
     }
 
-    /// Index and sentence of each bad case.
-    fn problems(&self) -> Vec<(usize, String)> {
-        problems(&self.motions)
+    /// Index of each bad case and the number of its kind.
+    fn problems<'py>(&self, py: Python<'py>) -> Problems<'py> {
+        problems(py, bad(&self.motions))
+    }
+
+    /// What is wrong with one case.
+    fn problem(&self, index: usize) -> Option<Told> {
+        self.motions[index].as_ref().err().map(tell)
     }
 
     /// Outer semi-axes and inner ones, signed; two numbers a motion.

@@ -1,11 +1,13 @@
 //! Motions by the paper's equations (12) and (13), integrated.
 
-use crate::columns::{Columns, Numbers, launcher};
-use crate::stepped::{Asked, Leg, Stepped, made};
-use kugelpendel::{Equation, IntegratedMotion, Pendulum};
+use crate::columns::Numbers;
+use crate::given::{Problems, Told, each_case};
+use crate::stepped::{Asked, Leg, Stepped};
+use kugelpendel::{Equation, IntegratedMotion};
 use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use std::collections::HashMap;
 
 /// Integrated motions in a row.
 #[pyclass(frozen, module = "kugelpendel._core")]
@@ -27,20 +29,21 @@ impl IntegratedMotions {
             "cubic" => Equation::Cubic,
             _ => return Err(PyValueError::new_err(format!("there is no equation {equation:?}"))),
         };
-        let (width, make) = launcher(launch.0)
-            .ok_or_else(|| PyValueError::new_err(format!("there is no launch of kind {:?}", launch.0)))?;
-        let pendulum = Columns::checked(&pendulum, 3, count)?;
-        let values = Columns::checked(&launch.1, width, count)?;
-        let motions = made(py, count, |index| {
-            let [length, gravity, mass] = pendulum.row(index);
-            IntegratedMotion::new(Pendulum { length, gravity, mass }, equation, make(&values, index))
+        let nothing = HashMap::new();
+        let motions = each_case(py, count, &pendulum, launch.0, &launch.1, &nothing, |pendulum, launch, _| {
+            IntegratedMotion::new(pendulum, equation, launch)
         })?;
         Ok(Self(Stepped::new(motions)))
     }
 
-    /// Index and sentence of each bad case.
-    fn problems(&self) -> Vec<(usize, String)> {
-        self.0.problems()
+    /// Index of each bad case and the number of its kind.
+    fn problems<'py>(&self, py: Python<'py>) -> Problems<'py> {
+        self.0.problems(py)
+    }
+
+    /// What is wrong with one case.
+    fn problem(&self, index: usize) -> Option<Told> {
+        self.0.problem(index)
     }
 
     /// Positions, when each motion has ended before the last of the times, NaN where it has not, and why the first has.

@@ -5,6 +5,7 @@ mod apsides;
 mod columns;
 mod envelope;
 mod exact;
+mod given;
 mod harmonic;
 mod integrated;
 mod meaning;
@@ -12,14 +13,7 @@ mod real;
 mod signal;
 mod stepped;
 
-use kugelpendel::Pendulum;
 use pyo3::prelude::*;
-
-/// The sentence that says what is wrong with a pendulum, if anything is.
-#[pyfunction]
-fn pendulum_problem(length: f64, gravity: f64, mass: f64) -> Option<String> {
-    Pendulum { length, gravity, mass }.check().err().map(|invalid| invalid.to_string())
-}
 
 /// How many steps of integration this process has taken so far, in all motions together.
 #[pyfunction]
@@ -30,8 +24,9 @@ fn steps_taken() -> u64 {
 /// The compiled part of the Python package.
 #[pymodule]
 mod _core {
+    /// Ω_E, rad/s: of the Earth against the stars.
     #[pymodule_export]
-    use super::pendulum_problem;
+    const ROTATION: f64 = kugelpendel::ROTATION;
     #[pymodule_export]
     use super::steps_taken;
     #[pymodule_export]
@@ -41,13 +36,15 @@ mod _core {
     #[pymodule_export]
     use crate::exact::ExactMotions;
     #[pymodule_export]
+    use crate::given::{derived, launch_problem, problem, problem_kinds};
+    #[pymodule_export]
     use crate::harmonic::HarmonicMotions;
     #[pymodule_export]
     use crate::integrated::IntegratedMotions;
     #[pymodule_export]
     use crate::meaning::{
-        distances, events_on_a_grid, measured_rates, olsson_frequency, olsson_precession, osculating_ellipses, reach,
-        relative_error, thread_pull, unwrapped, widened,
+        distances, events_on_a_grid, judged_radii, measured_rates, olsson_frequency, olsson_precession,
+        osculating_ellipses, reach, relative_error, thread_pull, unwrapped,
     };
     #[pymodule_export]
     use crate::real::RealMotions;

@@ -156,19 +156,19 @@ pub(crate) fn reach(sizes: PyReadonlyArray1<'_, f64>, worst: PyReadonlyArray1<'_
     Ok(kugelpendel::reach(sizes, worst, level))
 }
 
-/// |b|, or that of the narrowest ellipse of this outer turning radius that shows a precession: columns a, b.
+/// The turning radii by which ellipses are judged, three numbers to each: columns a, b, length.
 #[pyfunction]
-pub(crate) fn widened<'py>(
+pub(crate) fn judged_radii<'py>(
     py: Python<'py>,
     count: usize,
     columns: Vec<PyReadonlyArray1<'py, f64>>,
 ) -> PyResult<Numbers<'py>> {
-    let columns = Columns::checked(&columns, 2, count)?;
-    let widened = |index: usize| {
-        let [a, b] = columns.row(index);
-        kugelpendel::EllipseRates::widened(a, b)
+    let columns = Columns::checked(&columns, 3, count)?;
+    let radii = |index: usize| {
+        let [a, b, length] = columns.row(index);
+        kugelpendel::EllipseRates::radii(a, b, length)
     };
-    Ok((0..count).map(widened).collect::<Vec<_>>().into_pyarray(py))
+    Ok((0..count).flat_map(radii).collect::<Vec<_>>().into_pyarray(py))
 }
 
 /// Frequency and precession as a motion shows them: `states` gives positions and velocities at ascending times.

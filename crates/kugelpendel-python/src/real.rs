@@ -1,11 +1,13 @@
 //! Real motions: flat arrays in, flat arrays out.
 
-use crate::columns::{Columns, Numbers, launcher};
-use crate::stepped::{Asked, Leg, Stepped, made};
-use kugelpendel::{Drive, Forces, Pendulum, RealMotion, Thread};
+use crate::columns::Numbers;
+use crate::given::{Problems, Told, each_case};
+use crate::stepped::{Asked, Leg, Stepped};
+use kugelpendel::{RealMotion, Thread};
 use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use std::collections::HashMap;
 
 /// Steps over which the ends of a motion are looked for: some hundred milliseconds of work.
 const LOOKED: u64 = 100_000;
@@ -14,38 +16,17 @@ const LOOKED: u64 = 100_000;
 #[pyclass(frozen, module = "kugelpendel._core")]
 pub(crate) struct RealMotions(Stepped<RealMotion>);
 
-/// The forces of one row: damping, quadratic drag, horizontal and vertical rotation, anisotropy, its axis, damping
-/// anisotropy, its axis.
-pub(crate) fn forces(columns: &Columns<'_>, index: usize) -> Forces {
-    let [damping, quadratic, horizontal, vertical, anisotropy, axis, damping_anisotropy, damping_axis] =
-        columns.row(index);
-    let rotation = [horizontal, vertical];
-    Forces { damping, quadratic, rotation, anisotropy, axis, damping_anisotropy, damping_axis }
-}
-
-/// A drive with a push and a phase or a radius, as `kind` says.
-pub(crate) fn drive(kind: &str, push: f64, when: f64) -> PyResult<Drive> {
-    match kind {
-        "" => Ok(Drive::Absent),
-        "phase" => Ok(Drive::Phase { push, phase: when }),
-        "radius" => Ok(Drive::Radius { push, radius: when }),
-        _ => Err(PyValueError::new_err(format!("there is no drive by {kind:?}"))),
-    }
-}
-
 #[pymethods]
 impl RealMotions {
-    /// Columns, each of length 1 or `count`: of the pendulum length, gravity, mass; of the launch as its kind has them;
-    /// eight of the forces; of the drive push and phase or radius.
+    /// Columns, each of length 1 or `count`: of the pendulum length, gravity, mass; of the launch as its kind has them; of
+    /// what acts by their names, such as "drag.linear".
     #[new]
-    #[allow(clippy::too_many_arguments)]
     fn new(
         py: Python<'_>,
         count: usize,
         pendulum: Vec<PyReadonlyArray1<'_, f64>>,
         launch: (&str, Vec<PyReadonlyArray1<'_, f64>>),
-        forces: Vec<PyReadonlyArray1<'_, f64>>,
-        drive: (&str, Vec<PyReadonlyArray1<'_, f64>>),
+        acting: HashMap<String, PyReadonlyArray1<'_, f64>>,
         thread: &str,
         tolerance: f64,
     ) -> PyResult<Self> {
@@ -55,26 +36,20 @@ impl RealMotions {
             "rod" => Thread::Rod,
             _ => return Err(PyValueError::new_err(format!("there is no thread that {thread:?}"))),
         };
-        let (width, make) = launcher(launch.0)
-            .ok_or_else(|| PyValueError::new_err(format!("there is no launch of kind {:?}", launch.0)))?;
-        let pendulum = Columns::checked(&pendulum, 3, count)?;
-        let values = Columns::checked(&launch.1, width, count)?;
-        let acting = Columns::checked(&forces, 8, count)?;
-        let driving = Columns::checked(&drive.1, 2, count)?;
-        self::drive(drive.0, 0.0, 0.0)?;
-        let motions = made(py, count, |index| {
-            let [length, gravity, mass] = pendulum.row(index);
-            let pendulum = Pendulum { length, gravity, mass };
-            let [push, when] = driving.row(index);
-            let driven = self::drive(drive.0, push, when).unwrap_or_default();
-            RealMotion::new(pendulum, make(&values, index), self::forces(&acting, index), driven, thread, tolerance)
+        let motions = each_case(py, count, &pendulum, launch.0, &launch.1, &acting, |pendulum, launch, acting| {
+            RealMotion::under(&acting, pendulum, launch, thread, tolerance)
         })?;
         Ok(Self(Stepped::new(motions)))
     }
 
-    /// Index and sentence of each bad case.
-    fn problems(&self) -> Vec<(usize, String)> {
-        self.0.problems()
+    /// Index of each bad case and the number of its kind.
+    fn problems<'py>(&self, py: Python<'py>) -> Problems<'py> {
+        self.0.problems(py)
+    }
+
+    /// What is wrong with one case.
+    fn problem(&self, index: usize) -> Option<Told> {
+        self.0.problem(index)
     }
 
     /// Positions, when each motion has ended before the last of the times, NaN where it has not, and why the first has.

@@ -1,9 +1,10 @@
 //! Motions that are integrated step by step, in a row: what the real ones and those by (12) and (13) have in common.
 
 use crate::columns::{Numbers, new_array};
+use crate::given::{Problems, Told, bad, problems, tell};
 use crate::meaning::event;
 use crate::signal::{Signal, lock};
-use kugelpendel::{Ending, Halt, IntegratedMotion, Invalid, Passage, Readings, RealMotion, Stop, Walk};
+use kugelpendel::{Ending, Halt, IntegratedMotion, Invalid, Passage, Readings, RealMotion, Stop, Walk, in_parallel};
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -59,9 +60,14 @@ impl<M: Readable> Stepped<M> {
         Self { motions, walks }
     }
 
-    /// Index and sentence of each bad case.
-    pub(crate) fn problems(&self) -> Vec<(usize, String)> {
-        problems(&self.motions)
+    /// Index of each bad case and the number of its kind.
+    pub(crate) fn problems<'py>(&self, py: Python<'py>) -> Problems<'py> {
+        problems(py, bad(&self.motions))
+    }
+
+    /// What is wrong with one case.
+    pub(crate) fn problem(&self, index: usize) -> Option<Told> {
+        self.motions[index].as_ref().err().map(tell)
     }
 
     /// The numbers asked for, and when each motion has ended before the last of the times, NaN where it has not; why the
@@ -103,12 +109,14 @@ impl<M: Readable> Stepped<M> {
             }
             let rows = out.par_chunks_mut(size).zip(&mut ends).enumerate();
             signal.watch(|| {
-                rows.for_each(|(index, (out, end))| {
-                    if signal.has_arrived() {
-                        out.fill(f64::NAN);
-                    } else if let Some((time, _)) = row(index, out, &|| signal.has_arrived()) {
-                        *end = time;
-                    }
+                in_parallel(|| {
+                    rows.for_each(|(index, (out, end))| {
+                        if signal.has_arrived() {
+                            out.fill(f64::NAN);
+                        } else if let Some((time, _)) = row(index, out, &|| signal.has_arrived()) {
+                            *end = time;
+                        }
+                    });
                 });
             });
         });
@@ -186,39 +194,15 @@ impl<M: Readable> Stepped<M> {
         let spans: Vec<_> = py.detach(|| match count {
             1 => one(0, &|| signal.ends_work()).to_vec(),
             _ => signal.watch(|| {
-                let all = (0..count).into_par_iter();
-                all.flat_map_iter(|index| one(index, &|| signal.has_arrived())).collect()
+                in_parallel(|| {
+                    let all = (0..count).into_par_iter();
+                    all.flat_map_iter(|index| one(index, &|| signal.has_arrived())).collect()
+                })
             }),
         });
         signal.raised()?;
         Ok(spans.into_pyarray(py))
     }
-}
-
-/// Makes many motions at once without holding the interpreter, unless a signal arrives.
-pub(crate) fn made<M: Send>(
-    py: Python<'_>,
-    count: usize,
-    make: impl Fn(usize) -> Result<M, Invalid> + Sync,
-) -> PyResult<Vec<Result<M, Invalid>>> {
-    if count == 1 {
-        return Ok(vec![make(0)]);
-    }
-    let signal = Signal::default();
-    let motions = py.detach(|| {
-        signal.watch(|| {
-            let all = (0..count).into_par_iter().with_min_len(64);
-            all.map(|index| (!signal.has_arrived()).then(|| make(index))).while_some().collect()
-        })
-    });
-    signal.raised()?;
-    Ok(motions)
-}
-
-/// Index and sentence of each bad case.
-pub(crate) fn problems<M>(motions: &[Result<M, Invalid>]) -> Vec<(usize, String)> {
-    let bad = |(index, motion): (usize, &Result<M, Invalid>)| Some((index, motion.as_ref().err()?.to_string()));
-    motions.iter().enumerate().filter_map(bad).collect()
 }
 
 fn name(ending: Ending) -> &'static str {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import Unpack
 
 from kugelpendel.builder._anisotropy import anisotropy
 from kugelpendel.builder._answer import Answer
@@ -16,15 +17,13 @@ from kugelpendel.builder._period import period
 from kugelpendel.builder._timing import timing
 from kugelpendel.builder._turning import foucault, intrinsic, release, shares, total
 from kugelpendel.parameters import (
-    Bob,
-    Drag,
-    Drive,
+    ForceParts,
+    Forces,
     InvalidInput,
     Pendulum,
-    Site,
-    Suspension,
     Wire,
     as_numbers,
+    gathered,
 )
 
 _QUESTIONS: tuple[Callable[[Case], Iterator[Answer]], ...] = (
@@ -71,11 +70,7 @@ def design(
     b: float = 0.0,
     *,
     azimuth: float = 0.0,
-    site: Site | None = None,
-    drag: Drag | None = None,
-    suspension: Suspension | None = None,
-    bob: Bob | None = None,
-    drive: Drive | None = None,
+    forces: Forces | None = None,
     wire: Wire | None = None,
     share: float = 0.01,
     after: float = 3600.0,
@@ -83,6 +78,7 @@ def design(
     time: float | None = None,
     checked: bool = True,
     done: Callable[[int, int], None] | None = None,
+    **parts: Unpack[ForceParts],
 ) -> Design:
     """Answer what a builder asks of one pendulum.
 
@@ -95,8 +91,10 @@ def design(
         0 < a < length, |b| ≤ a/2, b positive counter-clockwise seen from above.
     azimuth
         rad, of the swing at the start, counter-clockwise from x.
-    site, drag, suspension, bob, drive, wire
-        What there is of them; questions about the others are left out.
+    forces
+        What acts; questions about the rest are left out.
+    wire
+        That it hangs on, where it has one.
     share
         Of the Foucault rate, that the intrinsic rate may reach, between 0 and 1.
     after
@@ -109,6 +107,8 @@ def design(
         Whether `RealMotion` is run beside the formulas.
     done
         Told, now and then, how many of how many steps are done.
+    parts
+        In place of `forces`: site, drag, suspension, bob, drive.
 
     Returns
     -------
@@ -141,9 +141,9 @@ def design(
         if done is not None:
             done(taken, steps)
 
-    case = Case(
-        pendulum, *numbers, site, drag, suspension, bob, drive, wire, *asked, checked, worked
-    )  # fmt: skip
+    acting = gathered("A design", forces, parts)
+    every = (acting.site, acting.drag, acting.suspension, acting.bob, acting.drive)
+    case = Case(pendulum, *numbers, *every, wire, *asked, checked, worked)
     runs = sum(is_run(case, turn) for turn in half_turns(case))
     steps = len(_QUESTIONS) + MOMENTS * runs
     answers: list[Answer] = []

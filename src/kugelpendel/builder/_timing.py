@@ -9,7 +9,8 @@ from dataclasses import dataclass, replace
 from kugelpendel.builder import _measured
 from kugelpendel.builder._answer import AVERAGED, SCHUMACHER, Answer, Check
 from kugelpendel.builder._case import Case
-from kugelpendel.parameters import Drag, Drive, InvalidInput
+from kugelpendel.errors import KugelpendelError
+from kugelpendel.parameters import Drag, Drive
 
 _SWINGS = 10  # over which the runs take a mean
 
@@ -151,7 +152,7 @@ def _checks(
         times, points = _measured.outer_points(
             motion, 0.25 * case.swing, (_SWINGS + 0.75) * case.swing
         )
-    except InvalidInput:
+    except KugelpendelError:
         return None, None
     how = f"RealMotion with the drag as linear and this push: {_SWINGS} swings"
     span = float(times[-1] - times[0])

@@ -114,15 +114,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _run(given: argparse.Namespace) -> int:
     try:
-        from kugelpendel import InvalidInput
+        from kugelpendel import KugelpendelError
     except ImportError as missing:
         return _refuse(_not_installed(missing, given.command))
     code = 0
     try:
         code = _COMMANDS[given.command](given)
         sys.stdout.flush()
-    except InvalidInput as error:
-        return _refuse(str(error))
+    except KugelpendelError as error:
+        return _refuse(error.sentence(door="file"))
     except ImportError as missing:
         return _refuse(_not_installed(missing, given.command))
     except KeyboardInterrupt as interruption:
@@ -188,11 +188,13 @@ _COMMANDS = {
 
 
 def _not_installed(missing: ImportError, command: str) -> str:
-    extra = "paper" if command == "derive" else "run"
-    return (
-        f"{missing.name or missing} is not installed, and `kugelpendel {command}` needs it: "
-        f"python -m pip install 'kugelpendel[{extra}]'"
-    )
+    from kugelpendel.errors import MissingExtra, require_extra
+
+    try:
+        require_extra("paper" if command == "derive" else "run", f"`kugelpendel {command}`")
+    except MissingExtra as error:
+        return str(error)
+    return f"{missing.name or missing} cannot be imported: {missing}"
 
 
 def _refuse(sentence: str) -> int:

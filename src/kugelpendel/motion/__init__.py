@@ -5,7 +5,8 @@ from kugelpendel.motion._base import Motion as Motion
 from kugelpendel.motion._envelope import EnvelopeMotion as EnvelopeMotion
 from kugelpendel.motion._envelope import TurningRates as TurningRates
 from kugelpendel.motion._exact import ExactMotion as ExactMotion
-from kugelpendel.motion._pumping import refuse_pumping as refuse_pumping
+from kugelpendel.motion._problems import Problems as Problems
+from kugelpendel.motion._problems import Reasons as Reasons
 from kugelpendel.motion._real import RealMotion as RealMotion
 from kugelpendel.motion._spectrum import Spectrum as Spectrum
 from kugelpendel.motion._walk import AskedEvent as AskedEvent

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from math import inf, isfinite, prod
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
@@ -11,10 +11,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kugelpendel import _core
+from kugelpendel.errors import EventNotFound, InvalidInput, require_extra
 from kugelpendel.motion._given import selected, short
 from kugelpendel.motion._kept import kept
+from kugelpendel.motion._problems import Problems, Reasons
 from kugelpendel.motion._times import checked_times
-from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars, as_numbers
+from kugelpendel.parameters import Launch, Numbers, Pendulum, Scalars, as_numbers, column
 
 if TYPE_CHECKING:
     from typing import Self
@@ -52,6 +54,9 @@ class Motion(ABC):
     Scalars such as `frequency` are a float for a single motion and a read-only array for an
     ensemble; arrays of positions and the like belong to whoever asked for them.
     """
+
+    _motions: Any
+    """The core's motions in a row, as `Cases` and what else each kind of motion asks of them."""
 
     @property
     @abstractmethod
@@ -110,10 +115,6 @@ class Motion(ABC):
     def _arguments(self) -> dict[str, Any]:
         """What the constructor was given, by name; what was left out is left out here too."""
 
-    @abstractmethod
-    def _problems(self) -> Iterable[tuple[int, str]]:
-        """Index and sentence of each bad case."""
-
     @property
     def effective_pendulum(self) -> Pendulum:
         """The point mass that moves like the bob: here the pendulum itself."""
@@ -141,7 +142,7 @@ class Motion(ABC):
         """
         times = np.asarray(t)
         position, velocity = self.position(t), self.velocity(t)
-        columns = [self._column(value) for value in self.effective_pendulum.values]
+        columns = [column(value, self.shape) for value in self.effective_pendulum.values]
         pull = _core.thread_pull(self._count, columns, position.ravel(), velocity.ravel())
         return pull.reshape((*self.shape, *times.shape))
 
@@ -198,7 +199,7 @@ class Motion(ABC):
     ) -> float:
         """The first time of an event later than `after`, s.
 
-        Looks `within` s ahead; raises InvalidInput where it does not come, and as `events`.
+        Looks `within` s ahead; raises EventNotFound where it does not come, and as `events`.
         """
         event, number = self._checked_event(kind, value)
         first, ahead = one_number(after, "after", "s"), one_number(within, "within", "s")
@@ -212,10 +213,7 @@ class Motion(ABC):
         between = (float(np.nextafter(first, inf)), min(first + ahead, most))
         times = self._find_events(event, number, between, 1) if between[0] <= between[1] else ()
         if len(times) == 0:
-            raise InvalidInput(
-                f'The event "{kind}" does not come within {ahead:.6g} s after {first:.6g} s; look '
-                f"further with within=…, or the motion may never have it."
-            )
+            raise EventNotFound.of("no_event", event=event, within=(ahead, "s"), after=(first, "s"))
         return float(times[0])
 
     def to_xarray(self, t: ArrayLike) -> Dataset:
@@ -224,6 +222,7 @@ class Motion(ABC):
         Dimensions (case_0, …, time, component); t in s, one axis. Needs xarray, which the extra
         [run] brings. Errors as in `position`.
         """
+        require_extra("run", "to_xarray", "xarray")
         import xarray as xr  # only here: the library itself does without
 
         times = checked_times(t, 7 * self._count)
@@ -249,12 +248,19 @@ class Motion(ABC):
         )
 
     @kept
-    def reason(self) -> NDArray[np.str_]:
+    def problems(self) -> Problems:
+        """Index and sentence of each bad case of the ensemble; empty where all are good."""
+        return Problems(self._motions, self.shape)
+
+    @property
+    def status(self) -> NDArray[np.uint8]:
+        """0 for a good case, else the number of the kind of its problem: shape `shape`."""
+        return self.problems.status
+
+    @property
+    def reason(self) -> Reasons:
         """Why a case of the ensemble is bad, "" where it is good: shape `shape`."""
-        sentences = [""] * self._count
-        for index, sentence in self._problems():
-            sentences[index] = sentence
-        return np.array(sentences, dtype=np.str_).reshape(self.shape)
+        return self.problems.reasons
 
     def __len__(self) -> int:
         if self.shape == ():
@@ -306,15 +312,8 @@ class Motion(ABC):
 
     def _refuse_bad(self) -> None:
         """Raise InvalidInput for a single motion with a problem."""
-        if self.shape == ():
-            for _, sentence in self._problems():
-                raise InvalidInput(sentence)
-
-    def _column(self, value: Scalars) -> Numbers:
-        """One number for each case, or one for all."""
-        if isinstance(value, float):
-            return np.array([value])
-        return np.ascontiguousarray(np.broadcast_to(value, self.shape).ravel())
+        if self.shape == () and (problem := self._motions.problem(0)):
+            raise InvalidInput.told(problem)
 
     def _constant(self, values: Numbers, *tail: int) -> Any:
         """A float for a single motion where nothing follows, else a read-only array."""

@@ -3,32 +3,20 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from kugelpendel import _core
+from kugelpendel.errors import InvalidInput, MotionEnded
+from kugelpendel.motion._forced import ForcedMotion
 from kugelpendel.motion._kept import kept
-from kugelpendel.motion._pumping import refuse_pumping
 from kugelpendel.motion._real import RealMotion
-from kugelpendel.motion._surrounded import Surrounded
-from kugelpendel.motion._surroundings import Surroundings
 from kugelpendel.motion._times import checked_grid, checked_times
-from kugelpendel.parameters import (
-    Bob,
-    Drag,
-    Drive,
-    InvalidInput,
-    Launch,
-    Numbers,
-    Pendulum,
-    Site,
-    Suspension,
-)
+from kugelpendel.parameters import ForceParts, Forces, Launch, Numbers, Pendulum
 
 _AHEAD = 1e8
 """s: how far an end of the motion is looked for, some three years."""
@@ -89,7 +77,7 @@ class TurningRates:
         return self.earth + self.intrinsic + self.anisotropy + self.damping + self.drive
 
 
-class EnvelopeMotion(Surrounded):
+class EnvelopeMotion(ForcedMotion):
     """A real pendulum, averaged over its swings: an ellipse that turns, shrinks and widens.
 
     What `RealMotion` integrates swing by swing goes in some dozens of steps here, over days. Arrays
@@ -97,7 +85,7 @@ class EnvelopeMotion(Surrounded):
 
     Parameters
     ----------
-    pendulum, launch, site, drag, suspension, bob, drive
+    pendulum, launch, forces, site, drag, suspension, bob, drive
         As for `RealMotion`; the horizontal part of the Earth's rotation averages out.
     exact
         Whether ω and Ω are those of the closed form, and linear drag is averaged at any amplitude;
@@ -128,26 +116,14 @@ class EnvelopeMotion(Surrounded):
         self,
         pendulum: Pendulum,
         launch: Launch,
+        forces: Forces | None = None,
         *,
-        site: Site | None = None,
-        drag: Drag | None = None,
-        suspension: Suspension | None = None,
-        bob: Bob | None = None,
-        drive: Drive | None = None,
         exact: bool = True,
+        **parts: Unpack[ForceParts],
     ):
-        around = Surroundings(pendulum, launch, site, drag, suspension, bob, drive)
-        refuse_pumping(around.effective_pendulum, launch, drag, drive)
-        self._around = around
+        self._give(pendulum, launch, forces, parts)
         self._exact = bool(exact)
-        self._motions = _core.EnvelopeMotions(
-            around.count,
-            around.pendulum_columns,
-            (launch.kind, around.launch_columns),
-            around.forces,
-            (around.drive_kind, around.drive_columns),
-            self._exact,
-        )
+        self._motions = _core.EnvelopeMotions(*self._columns, self._exact)
         self._refuse_bad()
         name, strength = self._strongest
         if strength > _WARN:
@@ -156,9 +132,6 @@ class EnvelopeMotion(Surrounded):
     def _arguments(self) -> dict[str, Any]:
         other = {} if self._exact else {"exact": False}
         return {**super()._arguments(), **other}
-
-    def _problems(self) -> Iterable[tuple[int, str]]:
-        return self._motions.problems()
 
     @property
     def exact(self) -> bool:
@@ -199,19 +172,9 @@ class EnvelopeMotion(Surrounded):
 
     def _measured_error(self) -> float:
         """Largest distance from the full equations over 100 swings, as a share of a."""
-        around = self._around
         swing = 2 * np.pi / float(self.angular_frequency)
         times = swing * np.linspace(0.0, _SWINGS, 20 * _SWINGS + 1)
-        full = RealMotion(
-            around.pendulum,
-            around.launch,
-            site=around.site,
-            drag=around.drag,
-            suspension=around.suspension,
-            bob=around.bob,
-            drive=around.drive,
-            thread="rod",
-        )
+        full = RealMotion(self.pendulum, self.launch, self.forces, thread="rod")
         times = times[times < self.span[1]]
         apart = np.linalg.norm(self.position(times) - full.position(times), axis=-1)
         return float((apart / self.semi_axes(times)[..., 0]).max())
@@ -264,8 +227,8 @@ class EnvelopeMotion(Surrounded):
         """Position from the support, m, z down: shape (*shape, *t.shape, 3).
 
         On the exact motion between the turning radii of that time. Raises InvalidInput for times
-        that are not finite, and for a single motion out of its span; in an ensemble it is NaN
-        there.
+        that are not finite, and MotionEnded for a single motion out of its span; in an ensemble it
+        is NaN there.
         """
         return self._read("position", t, 3)
 
@@ -278,11 +241,11 @@ class EnvelopeMotion(Surrounded):
 
     def sample(self, start: float, step: float, count: int) -> Numbers:
         """Positions at start + step·k: m, shape (*shape, count, 3); errors as in `position`."""
-        size = checked_grid(start, step, count, 3 * self._around.count)
+        size = checked_grid(start, step, count, 3 * self._count)
         return self.position(float(start) + float(step) * np.arange(size))
 
     def _read(self, what: str, t: ArrayLike, *tail: int) -> Numbers:
-        times = checked_times(t, (tail[0] if tail else 1) * self._around.count)
+        times = checked_times(t, (tail[0] if tail else 1) * self._count)
         if self.drive is not None and times.size and times.min() < 0:
             raise InvalidInput(
                 f"A driven pendulum cannot be followed back before its launch, but asked for is "
@@ -290,9 +253,6 @@ class EnvelopeMotion(Surrounded):
             )
         flat, ends = self._motions.read(what, times.ravel())
         if self.shape == () and np.isfinite(ends[0]):
-            raise InvalidInput(
-                f"The averaged motion ends at {ends[0]:.6g} s, where the bob comes level with the "
-                f"support; asked for are times from {times.min():.6g} s to {times.max():.6g} s. "
-                f"Keep to its span, or use RealMotion."
-            )
+            asked = {"first": (float(times.min()), "s"), "last": (float(times.max()), "s")}
+            raise MotionEnded.of("averaged_to_support", time=(float(ends[0]), "s"), **asked)
         return flat.reshape((*self.shape, *times.shape, *tail))

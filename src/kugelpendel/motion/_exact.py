@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Any, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kugelpendel import _core
+from kugelpendel.errors import InvalidInput
 from kugelpendel.motion._base import Motion
 from kugelpendel.motion._kept import kept
 from kugelpendel.motion._spectrum import Spectrum
@@ -20,7 +20,7 @@ from kugelpendel.motion._times import (
     checked_times,
     motion_shape,
 )
-from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars
+from kugelpendel.parameters import Launch, Numbers, Pendulum, Scalars, column, require_given
 
 
 @final
@@ -57,22 +57,20 @@ class ExactMotion(Motion):
     """
 
     def __init__(self, pendulum: Pendulum, launch: Launch):
+        require_given("ExactMotion", pendulum, launch)
         self._pendulum = pendulum
         self._launch = launch
         self._shape = motion_shape(pendulum, launch)
         self._motions = _core.ExactMotions(
             self._count,
-            [self._column(value) for value in pendulum.values],
+            [column(value, self._shape) for value in pendulum.values],
             launch.kind,
-            [self._column(value) for value in launch.values],
+            launch.columns(self._shape),
         )
         self._refuse_bad()
 
     def _arguments(self) -> dict[str, Any]:
         return {"pendulum": self._pendulum, "launch": self._launch}
-
-    def _problems(self) -> Iterable[tuple[int, str]]:
-        return self._motions.problems()
 
     @property
     def pendulum(self) -> Pendulum:
@@ -232,12 +230,11 @@ class ExactMotion(Motion):
         """
         n = checked_count(n, 1, "The count n of pairs of harmonics")
         check_memory(n, 9 * self._count)
-        (order, frequency, amplitude), (order_z, frequency_z, amplitude_z), problems = (
+        (order, frequency, amplitude), (order_z, frequency_z, amplitude_z), problem = (
             self._motions.spectrum(n)
         )
-        if self._shape == ():
-            for _, sentence in problems:
-                raise InvalidInput(sentence)
+        if self._shape == () and problem:
+            raise InvalidInput.told(problem)
         plan, vertical = (*self._shape, 2 * n), (*self._shape, n + 1)
         return Spectrum(
             order.reshape(plan),
@@ -289,7 +286,7 @@ class ExactMotion(Motion):
         frequency in rad/s, a/l and b/l, the relative errors of (25) and (26), and 1 where the
         ellipse is so small that every formula is exact.
         """
-        columns = [self._column(np.asarray(radius, dtype=np.float64)) for radius in (a, b)]
+        columns = [column(np.asarray(r, dtype=np.float64), self._shape) for r in (a, b)]
         return self._shaped(self._motions.ellipse_rates(columns), 7)
 
     def summary(self) -> tuple[Any, ...]:

@@ -2,27 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal, TypeAlias, Unpack
 
 import numpy as np
 
 from kugelpendel import _core
+from kugelpendel.errors import InvalidInput
 from kugelpendel.motion._base import one_number
-from kugelpendel.motion._pumping import refuse_pumping
-from kugelpendel.motion._surrounded import Surrounded
-from kugelpendel.motion._surroundings import Surroundings
+from kugelpendel.motion._forced import ForcedMotion
 from kugelpendel.motion._walk import SteppedMotion
-from kugelpendel.parameters import (
-    Bob,
-    Drag,
-    Drive,
-    InvalidInput,
-    Launch,
-    Numbers,
-    Pendulum,
-    Site,
-    Suspension,
-)
+from kugelpendel.parameters import ForceParts, Forces, Launch, Numbers, Pendulum
 
 Thread: TypeAlias = Literal["ends", "flies", "rod"]
 
@@ -32,7 +21,7 @@ _LOOKED = 1000
 """Small swings over which an end is looked for."""
 
 
-class RealMotion(Surrounded, SteppedMotion):
+class RealMotion(ForcedMotion, SteppedMotion):
     """A pendulum on the turning Earth, in air, on an imperfect suspension, driven or not.
 
     The full equations on the sphere, integrated by Taylor series of order 20 with dense output.
@@ -44,6 +33,8 @@ class RealMotion(Surrounded, SteppedMotion):
         What swings; its gravity is the one that acts.
     launch
         Position and velocity at t = 0, as seen from the ground.
+    forces
+        What acts, as one object; or by its parts:
     site
         Where: turns the ground; x is east and y north.
     drag
@@ -67,7 +58,8 @@ class RealMotion(Surrounded, SteppedMotion):
     InvalidInput
         For what a single ExactMotion would refuse, shapes that do not broadcast, a site whose given
         gravity is not the pendulum's, a drive that pumps without end, and an unknown thread or
-        tolerance. In an ensemble a bad launch or pendulum gives NaN, and `reason` says why.
+        tolerance. In an ensemble a bad case of anything that is given, a drive that pumps
+        included, gives NaN, and `reason` says why.
 
     Notes
     -----
@@ -75,9 +67,8 @@ class RealMotion(Surrounded, SteppedMotion):
     periods (tests/motion/real/test_real.py); the error grows like t^1.5. The bob is on the sphere
     and its velocity tangent to it, to rounding, at every step. Speeds below 1e-9 lω0 feel quadratic
     drag as if they were that fast.
-    Every request goes on from the last of the checkpoints that lie on the way (`walk`), so asking
-    in any order, for one thing or another, costs what is new; the bits are the same as from the
-    launch. Memory does not grow with the span. Ctrl-C ends every call within 0.2 s.
+    Every request goes on from the last checkpoint before it; the result is the same as from the
+    launch. Memory does not grow with the span.
     Sources: Olsson (1981), eq. (4), with the Coriolis force, drag and the suspension's anisotropy
     added; Jorba & Zou, Experimental Mathematics 14, 99 (2005) for the integration. Signs and forms
     of the forces are in docs/conventions.md.
@@ -87,16 +78,12 @@ class RealMotion(Surrounded, SteppedMotion):
         self,
         pendulum: Pendulum,
         launch: Launch,
+        forces: Forces | None = None,
         *,
-        site: Site | None = None,
-        drag: Drag | None = None,
-        suspension: Suspension | None = None,
-        bob: Bob | None = None,
-        drive: Drive | None = None,
         thread: Thread = "ends",
         tolerance: float = _FINEST,
+        **parts: Unpack[ForceParts],
     ):
-        around = Surroundings(pendulum, launch, site, drag, suspension, bob, drive)
         if thread not in _THREADS:
             raise InvalidInput(
                 f"The thread must be one of {', '.join(map(repr, _THREADS))}, but it is {thread!r}."
@@ -107,19 +94,10 @@ class RealMotion(Surrounded, SteppedMotion):
                 f"The tolerance must lie between 0 and 1e-3, but it is {tolerance:g}; leave it out "
                 f"for the finest."
             )
-        refuse_pumping(around.effective_pendulum, launch, drag, drive)
-        self._around = around
+        self._give(pendulum, launch, forces, parts)
         self._thread: Thread = thread
         self._tolerance = tolerance
-        self._motions = _core.RealMotions(
-            around.count,
-            around.pendulum_columns,
-            (launch.kind, around.launch_columns),
-            around.forces,
-            (around.drive_kind, around.drive_columns),
-            thread,
-            tolerance,
-        )
+        self._motions = _core.RealMotions(*self._columns, thread, tolerance)
         self._refuse_bad()
 
     def _arguments(self) -> dict[str, Any]:
@@ -164,14 +142,5 @@ class RealMotion(Surrounded, SteppedMotion):
                 f"asked for is {times.min():.6g} s."
             )
 
-    def _end_sentence(self, end: float, why: str, times: Numbers) -> str:
-        asked = f"asked for are times from {times.min():.6g} s to {times.max():.6g} s"
-        if why == "runaway":
-            return (
-                f"The speed grows beyond all bounds towards {end:.9g} s, where the motion ends; "
-                f"{asked}. Keep between: quadratic drag lets no motion come from further back."
-            )
-        return (
-            f"The thread goes slack at {end:.9g} s, where the motion ends; {asked}. Keep between, "
-            f'or let it fly on: thread="flies", or thread="rod".'
-        )
+    def _ended(self, why: str) -> tuple[str, dict[str, str]]:
+        return why, {}

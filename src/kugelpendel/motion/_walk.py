@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import inf
 from typing import ClassVar, Protocol, TypeAlias, final
@@ -11,9 +11,10 @@ from typing import ClassVar, Protocol, TypeAlias, final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from kugelpendel.errors import InvalidInput, MotionEnded
 from kugelpendel.motion._base import MOST_EVENTS, EventKind, Motion, one_number
 from kugelpendel.motion._times import checked_grid, checked_times
-from kugelpendel.parameters import InvalidInput, Numbers
+from kugelpendel.parameters import Numbers
 
 AskedEvent: TypeAlias = EventKind | tuple[EventKind, float]
 
@@ -77,7 +78,6 @@ class Leg:
 class _Core(Protocol):
     """What the motions of the core that are integrated have in common."""
 
-    def problems(self) -> list[tuple[int, str]]: ...
     def spans(self, within: Numbers) -> Numbers: ...
     def position(self, times: Numbers) -> tuple[Numbers, Numbers, str]: ...
     def velocity(self, times: Numbers) -> tuple[Numbers, Numbers, str]: ...
@@ -106,8 +106,8 @@ class SteppedMotion(Motion):
     _earliest: ClassVar[float] = 0.0
 
     @abstractmethod
-    def _end_sentence(self, end: float, why: str, times: Numbers) -> str:
-        """What is said when a time beyond the end of a single motion is asked for."""
+    def _ended(self, why: str) -> tuple[str, dict[str, str]]:
+        """The kind of error, and its other values, where a single motion has ended so."""
 
     @abstractmethod
     def _check_times(self, times: Numbers) -> None:
@@ -116,8 +116,8 @@ class SteppedMotion(Motion):
     def position(self, t: ArrayLike) -> Numbers:
         """Position from the support, m, z down: shape (*shape, *t.shape, 3).
 
-        Raises InvalidInput for times that are not finite or before the span, and for a single
-        motion that has ended; in an ensemble it is NaN from its end on.
+        Raises InvalidInput for times that are not finite or before the span, and MotionEnded for a
+        single motion that has ended; in an ensemble it is NaN from its end on.
         """
         times = self._times(t, 3)
         return self._shaped(self._motions.position(times.ravel()), times, 3)
@@ -158,9 +158,6 @@ class SteppedMotion(Motion):
         found = self._motions.leg(np.empty(0), [(kind, value)], between, most, None)[-1]
         return found[0][0]
 
-    def _problems(self) -> Iterable[tuple[int, str]]:
-        return self._motions.problems()
-
     def _span_within(self, within: Numbers) -> tuple[float, float]:
         """Between which times all good motions go on, their ends looked for so many s each way."""
         spans = self._motions.spans(within).reshape(-1, 2)
@@ -175,7 +172,9 @@ class SteppedMotion(Motion):
     def _shaped(self, filled: tuple[Numbers, Numbers, str], times: Numbers, *tail: int) -> Numbers:
         flat, ends, why = filled
         if self.shape == () and np.isfinite(ends[0]):
-            raise InvalidInput(self._end_sentence(float(ends[0]), why, times))
+            kind, values = self._ended(why)
+            asked = {"first": (float(times.min()), "s"), "last": (float(times.max()), "s")}
+            raise MotionEnded.of(kind, time=(float(ends[0]), "s"), **values, **asked)
         return flat.reshape((*self.shape, *times.shape, *tail))
 
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from kugelpendel import _core
+from kugelpendel.errors import KugelpendelError
 from kugelpendel.motion import (
     CubicMotion,
     ExactMotion,
@@ -218,7 +219,7 @@ def _compared(rung: _Rung, exact: ExactMotion, times: Numbers, truth: Numbers) -
             errors = np.full(len(times), np.nan)
             found = motion.sample(0.0, float(times[1]), int(known.sum()))
             errors[known] = _core.distances(found.ravel(), truth[known].ravel())
-        except InvalidInput as error:
+        except KugelpendelError as error:
             return replace(row, reason=str(error))
     cautions = [str(warning.message) for warning in caught]
     if np.isnan(errors).any():

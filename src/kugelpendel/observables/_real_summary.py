@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kugelpendel import _core
+from kugelpendel.errors import KugelpendelError
 from kugelpendel.motion import EnvelopeMotion, RealMotion
 from kugelpendel.observables._apsides import Apsides
 from kugelpendel.observables._shares import Shares
-from kugelpendel.parameters import InvalidInput, Launch
+from kugelpendel.parameters import Launch
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -173,10 +174,8 @@ class Follower:
         position, velocity = motion.position(0.0), motion.velocity(0.0)
         momentum = position[0] * velocity[1] - position[1] * velocity[0]
         back = RealMotion(
-            motion.pendulum, Launch.state(position, -velocity), thread=motion.thread,
-            site=motion.site, drag=motion.drag, suspension=motion.suspension, bob=motion.bob,
-            drive=motion.drive,
-        )  # fmt: skip
+            motion.pendulum, Launch.state(position, -velocity), motion.forces, thread=motion.thread
+        )
         late = 1.5 * (passes[count] + self._small_revolution())
         other = back.events("azimuth", 0.0, late, self._ray)[: count + 1]
         return Revolutions(
@@ -223,13 +222,10 @@ def explain(motion: RealMotion, summary: RealSummary) -> Explanation:
     try:
         with warnings.catch_warnings(record=True) as warned:
             warnings.simplefilter("always")
-            averaged = EnvelopeMotion(
-                motion.pendulum, motion.launch, site=motion.site, drag=motion.drag,
-                suspension=motion.suspension, bob=motion.bob, drive=motion.drive,
-            )  # fmt: skip
+            averaged = EnvelopeMotion(motion.pendulum, motion.launch, motion.forces)
             shares = Shares.of(averaged, np.linspace(0.0, summary.until, _TIMES))
             started, ended = averaged.azimuth(apsides.times[[0, -1]])
-    except InvalidInput as error:
+    except KugelpendelError as error:
         return Explanation(None, str(error), math.nan, "")
     caution = " ".join(str(warning.message) for warning in warned)
     # Both azimuths are those of an axis, which has no front end.

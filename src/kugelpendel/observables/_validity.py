@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import prod
 from typing import NamedTuple
 
 import numpy as np
@@ -11,7 +12,15 @@ from numpy.typing import ArrayLike
 
 from kugelpendel import _core, series
 from kugelpendel.motion import ExactMotion
-from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars, as_numbers
+from kugelpendel.parameters import (
+    InvalidInput,
+    Launch,
+    Numbers,
+    Pendulum,
+    Scalars,
+    as_numbers,
+    column,
+)
 
 ORDERS = (2, 4, 6, 8, 10, 12)
 """Orders of the series that are judged."""
@@ -104,10 +113,12 @@ def validity(a: ArrayLike, b: ArrayLike, length: ArrayLike) -> Validity:
     """
     pendulum = Pendulum(length)
     given = as_numbers(a, "The turning radius a", "m"), as_numbers(b, "The turning radius b", "m")
-    # The launch as it was given is what a sentence must be about.
-    exact = ExactMotion(pendulum, Launch.apsides(*given))
-    outer, inner = (np.broadcast_to(radius, exact.shape) for radius in given)
-    wide = _core.widened(outer.size, [outer.ravel(), inner.ravel()]).reshape(exact.shape)
+    shape = np.broadcast_shapes(*(np.shape(value) for value in (*given, pendulum.length)))
+    columns = [column(value, shape) for value in (*given, pendulum.length)]
+    radii = _core.judged_radii(prod(shape), columns).reshape((*shape, 3))
+    outer, inner, wide = np.moveaxis(radii, -1, 0)
+    # A sentence is about the launch as it was given.
+    exact = ExactMotion(pendulum, Launch.apsides(outer, inner))
     rates = ExactMotion(pendulum, Launch.apsides(outer, wide)) if np.any(wide != inner) else exact
     found = np.moveaxis(rates.ellipse_rates(outer, wide), -1, 0)
     precession, frequency, alpha, beta, formula_25, formula_26, tiny = found

@@ -6,9 +6,12 @@ mpmath, which the extra [paper] brings. The names live in `__init__.pyi`.
 """
 
 # lazy_loader has no types; those of the names are in `__init__.pyi`.
-# pyright: reportMissingTypeStubs=false, reportUnknownVariableType=false
+# pyright: reportMissingTypeStubs=false, reportUnknownVariableType=false, reportUnknownArgumentType=false
 
 import lazy_loader
 
+from kugelpendel.errors import with_extra
+
 # SymPy is imported with the first formula, not with the list of languages.
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+_get, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+__getattr__ = with_extra(_get, "paper", __name__)

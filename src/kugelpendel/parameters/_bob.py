@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from kugelpendel.parameters._given import Given, require, require_not_negative, require_positive
-from kugelpendel.parameters._invalid import InvalidInput
+from kugelpendel.parameters._derived import derived
+from kugelpendel.parameters._given import Given
 from kugelpendel.parameters._numbers import Scalars, as_numbers
 
 
-@dataclass(frozen=True, eq=False, init=False)
+@dataclass(frozen=True, eq=False, init=False, repr=False)
 class Bob(Given):
     """A homogeneous ball, or an ensemble of balls where arrays are given; they broadcast.
 
@@ -30,14 +30,23 @@ class Bob(Given):
     Raises
     ------
     InvalidInput
-        For a radius or density that is not positive, a negative mass of the thread, a negative
-        density of the air, and a bob lighter than air; one element of an array included.
+        For a single bob whose radius or density is not positive, for a negative mass of the
+        thread or density of the air, for a bob lighter than air, and for arrays that do not
+        broadcast. In an ensemble a bad case becomes NaN in the motion, which gives the reason.
     """
 
     radius: Scalars
     density: Scalars
     thread_mass: Scalars
     air_density: Scalars
+
+    part = "bob"
+    units: ClassVar = {
+        "radius": "m",
+        "density": "kg/m³",
+        "thread_mass": "kg",
+        "air_density": "kg/m³",
+    }
 
     def __init__(
         self,
@@ -46,37 +55,18 @@ class Bob(Given):
         thread_mass: ArrayLike = 0.0,
         air_density: ArrayLike = 1.204,
     ):
-        for name, given, spoken, unit, check, way_out in (
-            ("radius", radius, "The bob's radius", "m", require_positive, "a point is no Bob at "
-             "all: leave the bob out"),
-            ("density", density, "The bob's density", "kg/m³", require_positive, "brass has 8500 "
-             "kg/m³"),
-            ("thread_mass", thread_mass, "The thread's mass", "kg", require_not_negative, "use 0 "
-             "to leave it out"),
-            ("air_density", air_density, "The air's density", "kg/m³", require_not_negative,
-             "use 0 for a vacuum"),
-        ):  # fmt: skip
-            value = as_numbers(given, spoken, unit)
-            object.__setattr__(self, name, value)
-            check(value, spoken, unit, way_out)
-        self._check_shapes("the bob's radius, density, thread mass and air density")
-        above = np.broadcast_to(np.greater(self.density, self.air_density), self.shape)
-        ball = np.broadcast_to(self.density, self.shape)
-        require(
-            ball if self.shape else float(ball), "The bob's density", "kg/m³",
-            "exceed that of the air", above, "a bob lighter than air does not hang",
-        )  # fmt: skip
-
-    @property
-    def values(self) -> tuple[Scalars, ...]:
-        """Radius, density, mass of the thread, density of the air."""
-        return (self.radius, self.density, self.thread_mass, self.air_density)
+        self._give(
+            "the bob's radius, density, thread mass and air density",
+            radius=radius,
+            density=density,
+            thread_mass=thread_mass,
+            air_density=air_density,
+        )
 
     @property
     def mass(self) -> Scalars:
         """4/3 π r³ times the density, kg; this is not `Pendulum.mass`, which scales the tension."""
-        mass = 4 / 3 * np.pi * np.power(self.radius, 3) * self.density
-        return as_numbers(mass, "The bob's mass", "kg")
+        return derived("bob_mass", "the bob", self.prefixed)
 
     def gravity_factor(self, length: ArrayLike) -> Scalars:
         """κ: small swings are those of a point mass under the gravity κg, so T ∝ 1/√κ.
@@ -93,7 +83,8 @@ class Bob(Given):
         Raises
         ------
         InvalidInput
-            For a length that is not positive and finite, or not larger than the radius.
+            For a single length that is not positive and finite, or not larger than the radius; in
+            an ensemble such a case is NaN.
 
         Notes
         -----
@@ -101,22 +92,6 @@ class Bob(Given):
         relative changes of the period: +(1/5)(r/l)², −μ/12, +β/2 and +β/4. The ball turns with
         the thread, and the thread is taken to reach to the bob's centre.
         """
-        l = as_numbers(length, "The pendulum's length", "m")  # noqa: E741
-        require_positive(l, "The pendulum's length", "m", "count it from the support")
-        try:
-            ratio = np.divide(self.radius, l)
-        except ValueError:
-            raise InvalidInput(
-                f"The bob's shape {self.shape} and that of the length {np.shape(l)} do not fit "
-                f"together; give one of them another axis."
-            ) from None
-        radius = np.broadcast_to(self.radius, np.shape(ratio))
-        require(
-            radius if np.shape(ratio) else float(radius), "The bob's radius", "m",
-            "be less than the length of the pendulum", np.less(ratio, 1),
-            "the length counts from the support to the bob's centre",
-        )  # fmt: skip
-        beta = np.divide(self.air_density, self.density)
-        mu = np.divide(self.thread_mass, self.mass)
-        inertia = 1 + beta / 2 + 0.4 * ratio**2 + mu / 3
-        return as_numbers((1 - beta + mu / 2) / inertia, "κ", "1")
+        given = as_numbers(length, "pendulum.length", "m")
+        numbers = {**self.prefixed, "pendulum.length": given}
+        return derived("gravity_factor", "the bob and the length", numbers)

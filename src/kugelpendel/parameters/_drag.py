@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
+from typing import ClassVar
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from kugelpendel.parameters._bob import Bob
-from kugelpendel.parameters._given import Given, require_not_negative, require_positive
+from kugelpendel.parameters._derived import derived
+from kugelpendel.parameters._given import Given
 from kugelpendel.parameters._numbers import Scalars, as_numbers
 from kugelpendel.parameters._pendulum import Pendulum
 
 
-@dataclass(frozen=True, eq=False, init=False)
+@dataclass(frozen=True, eq=False, init=False, repr=False)
 class Drag(Given):
     """A force −2γv − c|v|v per unit mass, or an ensemble of them where arrays are given.
 
@@ -29,7 +29,8 @@ class Drag(Given):
     Raises
     ------
     InvalidInput
-        For what is negative or not finite, one element of an array included.
+        For a single number that is negative or not finite, and for arrays that do not broadcast.
+        In an ensemble a bad case becomes NaN in the motion, which gives the reason.
 
     Notes
     -----
@@ -40,18 +41,11 @@ class Drag(Given):
     linear: Scalars
     quadratic: Scalars
 
-    def __init__(self, linear: ArrayLike = 0.0, quadratic: ArrayLike = 0.0):
-        for name, given, unit in (("linear", linear, "1/s"), ("quadratic", quadratic, "1/m")):
-            value = as_numbers(given, f"The {name} drag", unit)
-            object.__setattr__(self, name, value)
-            way_out = "drag takes energy away: use 0 for none, and kp.Drive to bring some in"
-            require_not_negative(value, f"The {name} drag", unit, way_out)
-        self._check_shapes("the linear and the quadratic drag")
+    part = "drag"
+    units: ClassVar = {"linear": "1/s", "quadratic": "1/m"}
 
-    @property
-    def values(self) -> tuple[Scalars, ...]:
-        """Linear, quadratic."""
-        return (self.linear, self.quadratic)
+    def __init__(self, linear: ArrayLike = 0.0, quadratic: ArrayLike = 0.0):
+        self._give("the linear and the quadratic drag", linear=linear, quadratic=quadratic)
 
     @classmethod
     def from_quality(cls, quality: ArrayLike, pendulum: Pendulum) -> Drag:
@@ -59,23 +53,24 @@ class Drag(Given):
 
         Q is 2π times the energy over what a swing loses of it, or π times the number of swings in
         which the amplitude falls to 1/e; ω0 is the pendulum's `angular_frequency`. Raises
-        InvalidInput for a quality that is not positive and finite.
+        InvalidInput for a single quality that is not positive and finite; in an ensemble such a
+        case becomes NaN.
         """
-        value = as_numbers(quality, "The quality factor", "1")
-        way_out = "for no drag leave it out"
-        require_positive(value, "The quality factor", "", way_out)
-        return cls(linear=np.divide(pendulum.angular_frequency, np.multiply(2, value)))
+        given = {
+            "drag.quality": as_numbers(quality, "drag.quality", ""),
+            "pendulum.angular_frequency": pendulum.angular_frequency,
+        }
+        return cls(derived("linear_from_quality", "the quality and the pendulum", given))
 
     @classmethod
     def from_half_life(cls, half_life: ArrayLike) -> Drag:
         """Linear drag from the time, s, in which the amplitude falls to half: γ = ln 2/t.
 
         The amplitude, not the energy, whose half life is half as long. Raises InvalidInput for a
-        half life that is not positive and finite.
+        single half life that is not positive and finite; in an ensemble such a case becomes NaN.
         """
-        value = as_numbers(half_life, "The half life", "s")
-        require_positive(value, "The half life", "s", "for no drag leave it out")
-        return cls(linear=np.divide(math.log(2), value))
+        given = {"drag.half_life": as_numbers(half_life, "drag.half_life", "s")}
+        return cls(derived("linear_from_half_life", "the half life", given))
 
     @classmethod
     def from_bob(
@@ -116,8 +111,8 @@ class Drag(Given):
         Raises
         ------
         InvalidInput
-            For what is not positive, a diameter that is negative, and a bob that does not fit the
-            pendulum.
+            For a single case of what is not positive, a diameter that is negative, and a bob that
+            does not fit the pendulum; in an ensemble such a case becomes NaN.
 
         Notes
         -----
@@ -125,21 +120,18 @@ class Drag(Given):
         its part, so expect no better than a factor of two: measure the half life and use
         `from_half_life`.
         """
-        bob.gravity_factor(pendulum.length)  # raises for a bob that does not fit
-        viscosity = as_numbers(air_viscosity, "The air's viscosity", "Pa·s")
-        require_positive(viscosity, "The air's viscosity", "Pa·s", "air has 1.81e-5 Pa·s")
-        ball = as_numbers(drag_coefficient, "The drag coefficient", "1")
-        require_positive(ball, "The drag coefficient", "", "a smooth ball has 0.44")
-        diameter = as_numbers(thread_diameter, "The thread's diameter", "m")
-        require_not_negative(
-            diameter, "The thread's diameter", "m", "use 0 to leave the thread out"
+        estimated = {
+            "air_viscosity": (air_viscosity, "Pa·s"),
+            "drag_coefficient": (drag_coefficient, ""),
+            "thread_diameter": (thread_diameter, "m"),
+            "thread_drag_coefficient": (thread_drag_coefficient, ""),
+        }
+        given: dict[str, Scalars] = {
+            f"drag.{name}": as_numbers(value, f"drag.{name}", unit)
+            for name, (value, unit) in estimated.items()
+        }
+        given |= bob.prefixed | pendulum.prefixed
+        names = "the bob, the pendulum and the air"
+        return cls(
+            derived("linear_from_bob", names, given), derived("quadratic_from_bob", names, given)
         )
-        thread = as_numbers(thread_drag_coefficient, "The thread's drag coefficient", "1")
-        require_positive(thread, "The thread's drag coefficient", "", "a cylinder has 1.1")
-        r, m, density = (np.asarray(value) for value in (bob.radius, bob.mass, bob.air_density))
-        with np.errstate(divide="ignore", invalid="ignore"):
-            layer = np.sqrt(2 * np.asarray(viscosity) / (density * pendulum.angular_frequency))
-            linear = 3 * np.pi * np.asarray(viscosity) * r * (1 + r / layer) / m
-        area = np.asarray(ball) * np.pi * r**2
-        area = area + np.asarray(thread) * np.asarray(diameter) * np.asarray(pendulum.length) / 4
-        return cls(linear=linear, quadratic=density * area / (2 * m))

@@ -1,81 +1,125 @@
-"""What every frozen parameter has: a shape, equality, a hash, and a way through a pickle."""
+"""What every frozen parameter has: a shape, equality, a hash, a spelling, and a way to a pickle."""
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable
+from typing import ClassVar, Self, cast
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from kugelpendel.parameters._invalid import InvalidInput
-from kugelpendel.parameters._numbers import Scalars, common_shape, equal, hashed, unfit
+from kugelpendel import _core
+from kugelpendel.errors import InvalidInput
+from kugelpendel.parameters._numbers import (
+    Numbers,
+    Scalars,
+    as_numbers,
+    column,
+    common_shape,
+    equal,
+    hashed,
+    unfit,
+)
+
+LONGEST = 200
+"""Characters of a representation."""
 
 
-class Given(ABC):
-    """Numbers that belong together; arrays among them broadcast to an ensemble."""
+class Given:
+    """Numbers that belong together; arrays among them broadcast to an ensemble.
+
+    A single case that makes no sense is refused at once. A bad case of an ensemble is kept, and
+    becomes NaN with a reason in the motion. What makes sense is written in the core.
+
+    Written on the standard library's dataclasses and not on attrs, whose import alone takes a
+    tenth of NumPy's (`import kugelpendel` may take half as long again as NumPy, and no more).
+    """
+
+    part: ClassVar[str]
+    """What the core calls it, as in "drag"."""
+    units: ClassVar[dict[str, str]]
+    """The SI unit of each of its numbers, under the names and in the order of the constructor."""
+
+    def _give(self, names: str, *optional: str, **given: ArrayLike | None) -> None:
+        """Keep the numbers.
+
+        Parameters
+        ----------
+        names
+            For the sentence where the shapes do not fit together.
+        optional
+            The names of those that may be None.
+        given
+            Under the names of `units`.
+        """
+        for name, value in given.items():
+            unit = self.units[name]
+            if value is None and name in optional:
+                object.__setattr__(self, name, None)
+                continue
+            known = as_numbers(cast("ArrayLike", value), f"{self.part}.{name}", unit)
+            object.__setattr__(self, name, known)
+        try:
+            single = self.shape == ()
+        except ValueError:
+            raise unfit(names, tuple(self.named.values())) from None
+        if single:
+            problem = _core.problem({name: float(value) for name, value in self.prefixed.items()})
+            if problem is not None:
+                raise InvalidInput.told(problem)
 
     @property
-    @abstractmethod
+    def named(self) -> dict[str, Scalars]:
+        """The numbers that were given, in SI, by their names."""
+        values: dict[str, Scalars | None] = {name: getattr(self, name) for name in self.units}
+        return {name: value for name, value in values.items() if value is not None}
+
+    @property
     def values(self) -> tuple[Scalars, ...]:
         """The numbers, in SI and in the order of the constructor."""
+        return tuple(self.named.values())
 
     @property
     def shape(self) -> tuple[int, ...]:
         """Of the ensemble; () for a single case."""
-        return common_shape(self.values)
+        return common_shape(tuple(self.named.values()))
 
-    def __reduce__(self) -> tuple[Callable[..., Given], tuple[Scalars | None, ...]]:
-        return (type(self), self.values)
+    @property
+    def prefixed(self) -> dict[str, Scalars]:
+        """The numbers that were given by the names that the core has, as in "drag.linear"."""
+        return {f"{self.part}.{name}": value for name, value in self.named.items()}
+
+    def columns(self, shape: tuple[int, ...]) -> dict[str, Numbers]:
+        """What the core takes for an ensemble of this shape, by the names that it has."""
+        return {name: column(value, shape) for name, value in self.prefixed.items()}
+
+    def __reduce__(self) -> tuple[Callable[..., Self], tuple[Scalars | None, ...]]:
+        return (type(self), tuple(self.named.get(name) for name in self.units))
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, type(self)) and equal(self.values, other.values)
+        if not isinstance(other, type(self)):
+            return NotImplemented
+        ours, theirs = self.named, other.named
+        return list(ours) == list(theirs) and equal(tuple(ours.values()), tuple(theirs.values()))
 
     def __hash__(self) -> int:
-        return hashed(self.values)
+        return hash((type(self), tuple(self.named), hashed(tuple(self.named.values()))))
 
-    def _check_shapes(self, names: str) -> None:
-        """Raise InvalidInput where the numbers do not broadcast."""
-        try:
-            _ = self.shape
-        except ValueError:
-            raise unfit(names, self.values) from None
+    def __repr__(self) -> str:
+        return spelled(type(self).__name__, self.named, self.units)
 
 
-def require(
-    value: Scalars, name: str, unit: str, condition: str, sound: np.typing.ArrayLike, way_out: str
-) -> None:
-    """Raise InvalidInput unless all values are sound; the first bad one of an array is named.
-
-    Parameters
-    ----------
-    value
-        The number or numbers.
-    name, unit, condition, way_out
-        For the sentence: NAME must CONDITION, but it is VALUE UNIT; WAY_OUT.
-    sound
-        Whether each is as it must be.
-    """
-    bad = ~np.asarray(sound, dtype=bool)
-    if not bad.any():
-        return
-    index = tuple(int(k) for k in np.argwhere(bad)[0])
-    where = f" at index {', '.join(map(str, index))}" if index else ""
-    seen = f"{np.asarray(value)[index]:.6g} {unit}".rstrip()
-    raise InvalidInput(f"{name} must {condition}, but it is {seen}{where}; {way_out}.")
+def spelled(name: str, values: dict[str, Scalars], units: dict[str, str]) -> str:
+    """Name, values and units, in at most 200 characters: ``Drag(linear=1e-05 1/s)``."""
+    parts = (f"{key}={_spelled_value(value)} {units[key]}" for key, value in values.items())
+    text = f"{name}({', '.join(part.rstrip() for part in parts)})"
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - 2]}…)"
 
 
-def require_finite(value: Scalars, name: str, unit: str) -> None:
-    """Raise InvalidInput for NaN and infinity."""
-    require(value, name, unit, "be finite", np.isfinite(value), "give a number")
-
-
-def require_positive(value: Scalars, name: str, unit: str, way_out: str) -> None:
-    """Raise InvalidInput for what is not positive and finite."""
-    sound = np.isfinite(value) & np.greater(value, 0)
-    require(value, name, unit, "be positive and finite", sound, way_out)
-
-
-def require_not_negative(value: Scalars, name: str, unit: str, way_out: str) -> None:
-    """Raise InvalidInput for what is negative or not finite."""
-    sound = np.isfinite(value) & np.greater_equal(value, 0)
-    require(value, name, unit, "be finite and not negative", sound, way_out)
+def _spelled_value(value: Scalars) -> str:
+    if not isinstance(value, np.ndarray):
+        return f"{value:.12g}"
+    flat = value.ravel()
+    if flat.size <= 3:
+        return str(value.tolist())
+    return f"[{flat[0]:.6g} … {flat[-1]:.6g}: {' × '.join(map(str, value.shape))}]"

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kugelpendel.parameters._invalid import InvalidInput
+from kugelpendel import _core
+from kugelpendel.errors import InvalidInput
+from kugelpendel.parameters._given import spelled
 from kugelpendel.parameters._numbers import (
+    Numbers,
     Scalars,
     as_numbers,
+    column,
     common_shape,
     equal,
     hashed,
@@ -18,8 +23,11 @@ from kugelpendel.parameters._numbers import (
     unfit,
 )
 
+_ELLIPSE = {"a": "m", "b": "m", "azimuth": "rad"}
+_ANGLES = {"theta": "rad", "phi": "rad"}
 
-@dataclass(frozen=True, eq=False)
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Launch:
     """Position and velocity at t = 0, in the words of whoever launches.
 
@@ -30,14 +38,30 @@ class Launch:
     Attributes
     ----------
     kind
-        "ellipse", "apsides", "plane", "angles" or "state".
+        "ellipse", "apsides", "plane", "angles", "state" or "at_rest".
     values
         The numbers given, in SI and in the order of that class method's arguments
         ("state": x, y, z, vx, vy, vz).
+
+    Raises
+    ------
+    InvalidInput
+        For an unknown kind, another count of values, what is no number, shapes that do not
+        broadcast, and for a single launch with a number that is not finite or an angle beyond ±2π.
     """
 
     kind: str
     values: tuple[Scalars, ...]
+
+    kinds: ClassVar[dict[str, dict[str, str]]] = {
+        "ellipse": _ELLIPSE,
+        "apsides": _ELLIPSE,
+        "plane": {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"},
+        "angles": {**_ANGLES, "theta_rate": "rad/s", "phi_rate": "rad/s"},
+        "state": {"x": "m", "y": "m", "z": "m", "vx": "m/s", "vy": "m/s", "vz": "m/s"},
+        "at_rest": _ANGLES,
+    }
+    """The units of the values of each kind, under their names."""
 
     @classmethod
     def ellipse(cls, a: ArrayLike, b: ArrayLike, azimuth: ArrayLike = 0.0) -> Launch:
@@ -53,7 +77,7 @@ class Launch:
         azimuth
             rad, counter-clockwise from x.
         """
-        return cls._of("ellipse", ("a", a, "m"), ("b", b, "m"), ("azimuth", azimuth, "rad"))
+        return cls._of("ellipse", a, b, azimuth)
 
     @classmethod
     def apsides(cls, a: ArrayLike, b: ArrayLike, azimuth: ArrayLike = 0.0) -> Launch:
@@ -68,12 +92,12 @@ class Launch:
         azimuth
             rad, counter-clockwise from x.
         """
-        return cls._of("apsides", ("a", a, "m"), ("b", b, "m"), ("azimuth", azimuth, "rad"))
+        return cls._of("apsides", a, b, azimuth)
 
     @classmethod
     def plane(cls, x: ArrayLike, y: ArrayLike, vx: ArrayLike, vy: ArrayLike) -> Launch:
         """The plan view from above, m and m/s; z and its rate follow, on the lower half."""
-        return cls._of("plane", ("x", x, "m"), ("y", y, "m"), ("vx", vx, "m/s"), ("vy", vy, "m/s"))
+        return cls._of("plane", x, y, vx, vy)
 
     @classmethod
     def angles(
@@ -85,15 +109,10 @@ class Launch:
     ) -> Launch:
         """θ from the downward vertical and azimuth φ, rad, and their rates, rad/s.
 
-        The numbers are taken exactly: `math.pi` is 1.2e-16 short of upright, and falls.
+        Angles are at most 2π either way: what is larger was most likely meant in degrees. The
+        numbers are taken exactly: `math.pi` is 1.2e-16 short of upright, and falls.
         """
-        return cls._of(
-            "angles",
-            ("theta", theta, "rad"),
-            ("phi", phi, "rad"),
-            ("theta_rate", theta_rate, "rad/s"),
-            ("phi_rate", phi_rate, "rad/s"),
-        )
+        return cls._of("angles", theta, phi, theta_rate, phi_rate)
 
     @classmethod
     def state(cls, position: ArrayLike, velocity: ArrayLike) -> Launch:
@@ -102,43 +121,58 @@ class Launch:
         |position| must be the length, and the velocity at right angles to it, to a relative
         1e-9; what is left within that is projected away.
         """
-        columns: list[tuple[str, ArrayLike, str]] = []
+        columns: list[ArrayLike] = []
         for name, value, unit in (("position", position, "m"), ("velocity", velocity, "m/s")):
-            vector = np.asarray(as_numbers(value, f"The launch's {name}", unit))
+            vector = np.asarray(as_numbers(value, f"launch.{name}", unit))
             if vector.shape[-1:] != (3,):
-                raise InvalidInput(
-                    f"The launch's {name} must have three components (x, y, z) on its last axis, "
-                    f"but its shape is {vector.shape}."
-                )
-            columns += [(f"{name} {axis}", vector[..., k], unit) for k, axis in enumerate("xyz")]
+                raise InvalidInput.of("state_components", name=name, shape=str(vector.shape))
+            columns += [vector[..., k] for k in range(3)]
         return cls._of("state", *columns)
 
     @classmethod
     def at_rest(cls, theta: ArrayLike, phi: ArrayLike = 0.0) -> Launch:
         """Let go at the angle θ from the downward vertical, azimuth φ; rad."""
-        return cls.angles(theta, phi)
+        return cls._of("at_rest", theta, phi)
+
+    @classmethod
+    def _of(cls, kind: str, *values: ArrayLike) -> Launch:
+        units = cls.kinds[kind].items()
+        pairs = zip(units, values, strict=True)
+        numbers = (as_numbers(value, f"launch.{name}", unit) for (name, unit), value in pairs)
+        return cls(kind, tuple(numbers))
 
     def __post_init__(self) -> None:
-        lock(self.values)
+        kind, values = _checked(self.kind, self.values)
+        lock(values)
+        object.__setattr__(self, "values", values)
+        try:
+            single = self.shape == ()
+        except ValueError:
+            raise unfit(f"the launch's {', '.join(self.kinds[kind])}", values) from None
+        if single:
+            problem = _core.launch_problem(kind, [float(value) for value in values])
+            if problem is not None:
+                raise InvalidInput.told(problem)
 
     def __reduce__(self) -> tuple[type[Launch], tuple[str, tuple[Scalars, ...]]]:
         return (Launch, (self.kind, self.values))
-
-    @classmethod
-    def _of(cls, kind: str, *arguments: tuple[str, ArrayLike, str]) -> Launch:
-        values = tuple(as_numbers(v, f"The launch's {name}", unit) for name, v, unit in arguments)
-        launch = cls(kind, values)
-        try:
-            _ = launch.shape
-        except ValueError:
-            names = ", ".join(name for name, _, _ in arguments)
-            raise unfit(f"the launch's {names}", values) from None
-        return launch
 
     @property
     def shape(self) -> tuple[int, ...]:
         """Of the ensemble; () for a single launch."""
         return common_shape(self.values)
+
+    @property
+    def named(self) -> dict[str, Scalars]:
+        """The numbers given, in SI, by their names."""
+        return dict(zip(self.kinds[self.kind], self.values, strict=True))
+
+    def columns(self, shape: tuple[int, ...]) -> list[Numbers]:
+        """What the core takes for an ensemble of this shape, in the order of the values."""
+        return [column(value, shape) for value in self.values]
+
+    def __repr__(self) -> str:
+        return spelled(f"Launch.{self.kind}", self.named, self.kinds[self.kind])
 
     def __eq__(self, other: object) -> bool:
         return (
@@ -149,3 +183,18 @@ class Launch:
 
     def __hash__(self) -> int:
         return hash((self.kind, hashed(self.values)))
+
+
+def _checked(kind: object, values: object) -> tuple[str, tuple[Scalars, ...]]:
+    """What was given for a launch made by hand; raises InvalidInput where it is none."""
+    if not isinstance(kind, str) or kind not in Launch.kinds:
+        listed = ", ".join(map(repr, Launch.kinds))
+        raise InvalidInput.of("launch_kind", kinds=listed, seen=f"{kind!r:.80}")
+    units = Launch.kinds[kind]
+    given = cast("tuple[ArrayLike, ...]", values if isinstance(values, tuple) else ())
+    if len(given) != len(units):
+        names, count = ", ".join(units), str(len(units))
+        seen = str(len(given)) if isinstance(values, tuple) else f"{values!r:.80}"
+        raise InvalidInput.of("launch_values", kind=kind, count=count, names=names, seen=seen)
+    pairs = zip(units.items(), given, strict=True)
+    return kind, tuple(as_numbers(v, f"launch.{name}", unit) for (name, unit), v in pairs)

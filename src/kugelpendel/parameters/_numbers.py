@@ -2,45 +2,95 @@
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from collections.abc import Iterable
+from typing import Any, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kugelpendel.parameters._invalid import InvalidInput
+from kugelpendel.errors import InvalidInput
 
 Numbers: TypeAlias = NDArray[np.float64]
 Scalars: TypeAlias = float | Numbers
 """A float where one number was given, a read-only array where several were."""
 
+_PLAIN_UNIT = str.maketrans({"²": "^2", "³": "^3", "·": "*"})
+"""How pint, astropy and unyt all read the units of this package."""
 
-def as_array(value: ArrayLike, name: str, unit: str) -> Numbers:
-    """A float64 array, the one given where it is one.
+_LONGEST = 120
+"""Characters of what is no number that are shown."""
 
-    Raises InvalidInput for what is not made of real numbers.
+
+def as_array(value: ArrayLike, what: str, unit: str) -> Numbers:
+    """A float64 array, the one given where it is one; NaN where an array is masked.
+
+    Parameters
+    ----------
+    value
+        Numbers, or a quantity of pint, astropy or unyt, which is converted.
+    what
+        For the sentence: the quantity, such as "drag.linear", or its spoken name.
+    unit
+        SI, "" for none.
+
+    Raises
+    ------
+    InvalidInput
+        For what is not made of real numbers, and for a quantity of another kind.
     """
+    if type(value) is not np.ndarray:
+        value = _without_unit(value, what, unit)
     try:
         array: NDArray[np.generic] = np.asarray(value)
         if array.dtype.kind not in "iuf":
             raise TypeError
     except (TypeError, ValueError):
-        raise InvalidInput(
-            f"{name} must be a number or an array of numbers in {unit}, but it is {value!r}; "
-            f"leave units out here: they are read from files and on the command line only."
-        ) from None
+        raise _wrong("not_a_number", value, what, unit) from None
     return array.astype(np.float64, copy=False)
 
 
-def as_numbers(value: ArrayLike, name: str, unit: str) -> Scalars:
+def as_numbers(value: ArrayLike, what: str, unit: str) -> Scalars:
     """A float, or a read-only float64 array that is a copy of its own; raises as `as_array`."""
     if type(value) is float:
         return value
-    array = as_array(value, name, unit)
+    array = as_array(value, what, unit)
     if array.ndim == 0:
         return float(array)
     array = array.copy()
     array.flags.writeable = False
     return array
+
+
+def _without_unit(value: Any, what: str, unit: str) -> Any:
+    """The numbers of a quantity in this unit, of a masked array, or what was given."""
+    if isinstance(value, (float, int, str)):
+        return value
+    if isinstance(value, (list, tuple)):
+        items = cast("Iterable[Any]", value)
+        return [_without_unit(item, what, unit) for item in items]
+    if isinstance(value, np.ma.MaskedArray):
+        masked = cast("Any", value)  # NumPy's own types lose the mask with `astype`
+        try:
+            return masked.astype(np.float64).filled(np.nan)
+        except (TypeError, ValueError):
+            raise _wrong("not_a_number", value, what, unit) from None
+    if not hasattr(value, "units") and not hasattr(value, "unit"):
+        return value
+    wanted = unit.translate(_PLAIN_UNIT)
+    try:
+        if hasattr(value, "to_value"):  # astropy, unyt
+            return value.to_value(wanted)
+        return value.to(wanted).magnitude  # pint
+    except (TypeError, ValueError, AttributeError) as error:
+        raise _wrong("other_unit", value, what, unit) from error
+
+
+def _wrong(kind: str, value: Any, what: str, unit: str) -> InvalidInput:
+    seen = repr(value)
+    if len(seen) > _LONGEST:
+        seen = f"{seen[:_LONGEST]}…"
+    # The unit is a value of its own, so that each language can put its own word before it.
+    return InvalidInput.of(kind, what=what, seen=seen, in_unit=f" in {unit}" if unit else "")
 
 
 def common_shape(values: tuple[Scalars, ...]) -> tuple[int, ...]:
@@ -51,9 +101,10 @@ def common_shape(values: tuple[Scalars, ...]) -> tuple[int, ...]:
 
 
 def equal(ours: tuple[Scalars, ...], theirs: tuple[Scalars, ...]) -> bool:
-    """Whether all are the same, element by element."""
-    pairs = zip(ours, theirs, strict=True)
-    return len(ours) == len(theirs) and all(np.array_equal(a, b) for a, b in pairs)
+    """Whether all are the same, element by element; NaN is the same as NaN."""
+    if len(ours) != len(theirs):
+        return False
+    return all(np.array_equal(a, b, equal_nan=True) for a, b in zip(ours, theirs, strict=True))
 
 
 def hashed(values: tuple[Scalars, ...]) -> int:
@@ -65,9 +116,14 @@ def hashed(values: tuple[Scalars, ...]) -> int:
 def unfit(names: str, values: tuple[Scalars, ...]) -> InvalidInput:
     """What to raise where `common_shape` has found none."""
     shapes = ", ".join(str(np.shape(value)) for value in values)
-    return InvalidInput(
-        f"The shapes of {names} do not fit together: {shapes}; give them shapes that broadcast."
-    )
+    return InvalidInput.of("shapes", names=names, shapes=shapes)
+
+
+def column(value: Scalars, shape: tuple[int, ...]) -> Numbers:
+    """One number for all cases of a shape, or one for each."""
+    if isinstance(value, float):
+        return np.array([value])
+    return np.ascontiguousarray(np.broadcast_to(value, shape).ravel())
 
 
 def lock(values: tuple[Scalars, ...]) -> None:

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kugelpendel import _core
-from kugelpendel.parameters._invalid import InvalidInput
-from kugelpendel.parameters._numbers import Scalars, as_numbers, common_shape, equal, hashed, unfit
+from kugelpendel.parameters._given import Given
+from kugelpendel.parameters._numbers import Scalars, as_numbers
 
 
-@dataclass(frozen=True, eq=False, init=False)
-class Pendulum:
+@dataclass(frozen=True, eq=False, init=False, repr=False)
+class Pendulum(Given):
     """A spherical pendulum, or an ensemble of them where arrays are given; they broadcast.
 
     Parameters
@@ -37,28 +37,11 @@ class Pendulum:
     gravity: Scalars
     mass: Scalars
 
+    part = "pendulum"
+    units: ClassVar = {"length": "m", "gravity": "m/s²", "mass": "kg"}
+
     def __init__(self, length: ArrayLike, gravity: ArrayLike = 9.80665, mass: ArrayLike = 1.0):
-        object.__setattr__(self, "length", as_numbers(length, "The pendulum's length", "m"))
-        object.__setattr__(self, "gravity", as_numbers(gravity, "Gravity", "m/s²"))
-        object.__setattr__(self, "mass", as_numbers(mass, "The bob's mass", "kg"))
-        try:
-            single = self.shape == ()
-        except ValueError:
-            raise unfit("length, gravity and mass", self.values) from None
-        if single:
-            problem = _core.pendulum_problem(*(float(value) for value in self.values))
-            if problem is not None:
-                raise InvalidInput(problem)
-
-    @property
-    def values(self) -> tuple[Scalars, ...]:
-        """Length, gravity and mass."""
-        return (self.length, self.gravity, self.mass)
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """Of the ensemble; () for a single pendulum."""
-        return common_shape(self.values)
+        self._give("length, gravity and mass", length=length, gravity=gravity, mass=mass)
 
     @property
     def angular_frequency(self) -> Scalars:
@@ -69,12 +52,3 @@ class Pendulum:
             return float(frequency)
         sound = np.greater(self.gravity, 0) & np.greater(self.length, 0) & np.isfinite(frequency)
         return as_numbers(np.where(sound, frequency, np.nan), "ω0", "rad/s")
-
-    def __reduce__(self) -> tuple[type[Pendulum], tuple[Scalars, ...]]:
-        return (Pendulum, self.values)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Pendulum) and equal(self.values, other.values)
-
-    def __hash__(self) -> int:
-        return hashed(self.values)

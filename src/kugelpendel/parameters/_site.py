@@ -2,30 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
+from typing import ClassVar
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from kugelpendel.parameters._given import Given, require, require_finite, require_positive
-from kugelpendel.parameters._numbers import Scalars, as_numbers
-
-ROTATION = 7.292115e-5
-"""Ω_E, rad/s: of the Earth against the stars, one turn in 86164 s (WGS84, NIMA TR8350.2 §3.2.4)."""
-
-# WGS84, NIMA TR8350.2 (2000), tables 3.1, 3.3 and 3.4.
-_SEMI_MAJOR_AXIS = 6378137.0  # m
-_FLATTENING = 1 / 298.257223563
-_ECCENTRICITY_SQUARED = 6.69437999014e-3
-_EQUATORIAL_GRAVITY = 9.7803253359  # m/s²
-_SOMIGLIANA = 0.00193185265241
-_CENTRIFUGAL = 0.00344978650684  # ω²a²b/GM
-
-_HIGHEST = 20e3  # m, to which TR8350.2 gives the expansion in the height
+from kugelpendel import _core
+from kugelpendel.parameters._derived import derived
+from kugelpendel.parameters._given import Given
+from kugelpendel.parameters._numbers import Scalars
 
 
-@dataclass(frozen=True, eq=False, init=False)
+@dataclass(frozen=True, eq=False, init=False, repr=False)
 class Site(Given):
     """A place on the Earth, or an ensemble of places where arrays are given; they broadcast.
 
@@ -50,7 +38,8 @@ class Site(Given):
     Raises
     ------
     InvalidInput
-        For what is not finite or out of these ranges, one element of an array included.
+        For a single site that is not finite or out of these ranges, and for arrays that do not
+        broadcast. In an ensemble a bad case becomes NaN in the motion, which gives the reason.
 
     Notes
     -----
@@ -66,29 +55,29 @@ class Site(Given):
     height: Scalars
     gravity_given: bool
 
+    part = "site"
+    units: ClassVar = {"latitude": "rad", "gravity": "m/s²", "height": "m"}
+
     def __init__(
         self, latitude: ArrayLike, gravity: ArrayLike | None = None, height: ArrayLike = 0.0
     ):
-        north = as_numbers(latitude, "The site's latitude", "rad")
-        require_latitude(north)
-        above = as_numbers(height, "The site's height", "m")
-        object.__setattr__(self, "latitude", north)
-        object.__setattr__(self, "height", above)
         object.__setattr__(self, "gravity_given", gravity is not None)
-        object.__setattr__(self, "gravity", 0.0)
-        require(
-            above, "The site's height", "m", "lie between −20000 and 20000 m",
-            np.less_equal(np.abs(above), _HIGHEST), "give gravity itself where it does not",
-        )  # fmt: skip
+        names = "the site's latitude, gravity and height"
+        self._give(names, "gravity", latitude=latitude, gravity=gravity, height=height)
         if gravity is None:
-            self._check_shapes("the site's latitude, gravity and height")
-            resolved = normal_gravity(north, above)
-        else:
-            resolved = as_numbers(gravity, "The site's gravity", "m/s²")
-            way_out = "leave it out for the normal gravity of the latitude"
-            require_positive(resolved, "The site's gravity", "m/s²", way_out)
-        object.__setattr__(self, "gravity", resolved)
-        self._check_shapes("the site's latitude, gravity and height")
+            object.__setattr__(self, "gravity", derived("normal_gravity", names, self.prefixed))
+
+    @property
+    def named(self) -> dict[str, Scalars]:
+        """Latitude, gravity if it was given, and height, in SI."""
+        return {
+            name: v for name, v in super().named.items() if name != "gravity" or self.gravity_given
+        }
+
+    @property
+    def prefixed(self) -> dict[str, Scalars]:
+        """Latitude, gravity if it was given, height and rotation by the names that the core has."""
+        return super().prefixed | {"site.rotation": self.rotation}
 
     @property
     def values(self) -> tuple[Scalars, ...]:
@@ -97,57 +86,15 @@ class Site(Given):
 
     @property
     def rotation(self) -> float:
-        """Ω_E, rad/s: of the Earth against the stars."""
-        return ROTATION
+        """Ω_E, rad/s: of the Earth against the stars; a class for another planet has its own."""
+        return _core.ROTATION
 
     @property
     def vertical_rotation(self) -> Scalars:
         """Ω_z = Ω_E sin(latitude), rad/s, positive in the north: the plane turns with −Ω_z."""
-        return as_numbers(ROTATION * np.sin(self.latitude), "Ω_z", "rad/s")
+        return derived("vertical_rotation", "the site", self.prefixed)
 
     @property
     def horizontal_rotation(self) -> Scalars:
         """Ω_h = Ω_E cos(latitude), rad/s, towards the north."""
-        return as_numbers(ROTATION * np.cos(self.latitude), "Ω_h", "rad/s")
-
-    def __reduce__(self) -> tuple[Callable[..., Site], tuple[Scalars | None, ...]]:
-        return (type(self), (self.latitude, self.gravity if self.gravity_given else None,
-                             self.height))  # fmt: skip
-
-    def __eq__(self, other: object) -> bool:
-        same_kind = isinstance(other, Site) and self.gravity_given == other.gravity_given
-        return same_kind and super().__eq__(other)
-
-    def __hash__(self) -> int:
-        return hash((self.gravity_given, super().__hash__()))
-
-
-def require_latitude(latitude: Scalars) -> None:
-    """Raise InvalidInput for latitudes that are not finite or beyond a pole."""
-    require_finite(latitude, "The site's latitude", "rad")
-    inside = np.less_equal(np.abs(latitude), np.pi / 2)
-    bad = float(np.asarray(latitude)[~inside].flat[0]) if not np.all(inside) else 0.0
-    in_degrees = abs(bad) <= 90
-    way_out = (
-        f"write math.radians({bad:.6g}) if these are degrees"
-        if in_degrees
-        else ("it is at most 90 degrees, π/2")
-    )
-    name = "The site's latitude"
-    require(latitude, name, "rad", "lie between −π/2 and π/2 rad", inside, way_out)
-
-
-def normal_gravity(latitude: Scalars, height: Scalars) -> Scalars:
-    """WGS84 normal gravity, m/s², at a geodetic latitude, rad, and height, m.
-
-    TR8350.2 (2000), eq. (4-1), (4-3): 9.8321849378 m/s² at the poles.
-    """
-    north = np.sin(latitude) ** 2
-    ground = (
-        _EQUATORIAL_GRAVITY * (1 + _SOMIGLIANA * north)
-        / np.sqrt(1 - _ECCENTRICITY_SQUARED * north)
-    )  # fmt: skip
-    up = np.divide(height, _SEMI_MAJOR_AXIS)
-    slope = 1 + _FLATTENING + _CENTRIFUGAL - 2 * _FLATTENING * north
-    gravity = ground * (1 - 2 * slope * up + 3 * up**2)
-    return as_numbers(gravity, "Gravity", "m/s²")
+        return derived("horizontal_rotation", "the site", self.prefixed)

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from kugelpendel.parameters._given import Given, require_finite, require_positive
-from kugelpendel.parameters._numbers import Scalars, as_numbers, unfit
+from kugelpendel.parameters._derived import derived
+from kugelpendel.parameters._given import Given
+from kugelpendel.parameters._numbers import Scalars, as_numbers
 
 
-@dataclass(frozen=True, eq=False, init=False)
+@dataclass(frozen=True, eq=False, init=False, repr=False)
 class Suspension(Given):
     """Stiffness and friction that depend on the direction, or an ensemble where arrays are given.
 
@@ -33,13 +34,22 @@ class Suspension(Given):
     Raises
     ------
     InvalidInput
-        For what is not finite, one element of an array included.
+        For a single number that is not finite, and for arrays that do not broadcast. In an
+        ensemble a bad case becomes NaN in the motion, which gives the reason.
     """
 
     anisotropy: Scalars
     axis: Scalars
     damping_anisotropy: Scalars
     damping_axis: Scalars
+
+    part = "suspension"
+    units: ClassVar = {
+        "anisotropy": "rad/s",
+        "axis": "rad",
+        "damping_anisotropy": "1/s",
+        "damping_axis": "rad",
+    }
 
     def __init__(
         self,
@@ -48,22 +58,13 @@ class Suspension(Given):
         damping_anisotropy: ArrayLike = 0.0,
         damping_axis: ArrayLike = 0.0,
     ):
-        for name, given, unit in (
-            ("anisotropy", anisotropy, "rad/s"),
-            ("axis", axis, "rad"),
-            ("damping_anisotropy", damping_anisotropy, "1/s"),
-            ("damping_axis", damping_axis, "rad"),
-        ):
-            spoken = f"The suspension's {name.replace('_', ' ')}"
-            value = as_numbers(given, spoken, unit)
-            object.__setattr__(self, name, value)
-            require_finite(value, spoken, unit)
-        self._check_shapes("the suspension's anisotropies and axes")
-
-    @property
-    def values(self) -> tuple[Scalars, ...]:
-        """Anisotropy, axis, damping anisotropy, damping axis."""
-        return (self.anisotropy, self.axis, self.damping_anisotropy, self.damping_axis)
+        self._give(
+            "the suspension's anisotropies and axes",
+            anisotropy=anisotropy,
+            axis=axis,
+            damping_anisotropy=damping_anisotropy,
+            damping_axis=damping_axis,
+        )
 
     @classmethod
     def from_periods(
@@ -78,18 +79,12 @@ class Suspension(Given):
 
         δ = 2π/T_along − 2π/T_across. The periods must be of the same amplitude, and small or
         corrected for it: at 3° the amplitude makes 1.7e-4 of the period, and a fine suspension's
-        anisotropy makes less. Raises InvalidInput for periods that are not positive and finite.
+        anisotropy makes less. Raises InvalidInput for a single period that is not positive and
+        finite; in an ensemble such a case becomes NaN.
         """
-        periods: list[Scalars] = []
-        for given, where in ((along, "along"), (across, "across")):
-            value = as_numbers(given, f"The period {where} the axis", "s")
-            way_out = "measure a full swing there and back"
-            require_positive(value, f"The period {where} the axis", "s", way_out)
-            periods.append(value)
-        t, u = (np.asarray(period) for period in periods)
-        try:
-            # As a product, so that nearly equal periods lose no digits.
-            anisotropy = 2 * np.pi * (u - t) / (t * u)
-        except ValueError:
-            raise unfit("the two periods", tuple(periods)) from None
+        periods = {
+            f"suspension.{name}": as_numbers(value, f"suspension.{name}", "s")
+            for name, value in (("period_along", along), ("period_across", across))
+        }
+        anisotropy = derived("anisotropy_from_periods", "the two periods", periods)
         return cls(anisotropy, axis, damping_anisotropy, damping_axis)

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from kugelpendel.parameters._given import Given, require_finite, require_positive
-from kugelpendel.parameters._numbers import Scalars, as_numbers
+from kugelpendel.parameters._derived import derived
+from kugelpendel.parameters._given import Given
+from kugelpendel.parameters._numbers import Scalars
 
 
-@dataclass(frozen=True, eq=False, init=False)
+@dataclass(frozen=True, eq=False, init=False, repr=False)
 class Wire(Given):
     """A round wire; it takes no part in any motion, whose thread keeps its length.
 
@@ -27,32 +28,24 @@ class Wire(Given):
     Raises
     ------
     InvalidInput
-        For a diameter or modulus that is not positive and finite, and an expansion that is not
-        finite; one element of an array included.
+        For a single wire whose diameter or modulus is not positive and finite or whose expansion
+        is not finite, and for arrays that do not broadcast.
     """
 
     diameter: Scalars
     young: Scalars
     expansion: Scalars
 
-    def __init__(self, diameter: ArrayLike, young: ArrayLike = 2.0e11,
-                 expansion: ArrayLike = 1.2e-5):  # fmt: skip
-        across = as_numbers(diameter, "The wire's diameter", "m")
-        require_positive(across, "The wire's diameter", "m", "leave the wire out for a thread")
-        stiff = as_numbers(young, "Young's modulus", "Pa")
-        require_positive(stiff, "Young's modulus", "Pa", "steel has 2.0e11 Pa")
-        warm = as_numbers(expansion, "The wire's expansion", "1/K")
-        require_finite(warm, "The wire's expansion", "1/K")
-        for name, value in (("diameter", across), ("young", stiff), ("expansion", warm)):
-            object.__setattr__(self, name, value)
-        self._check_shapes("the wire's diameter, modulus and expansion")
+    part = "wire"
+    units: ClassVar = {"diameter": "m", "young": "Pa", "expansion": "1/K"}
 
-    @property
-    def values(self) -> tuple[Scalars, ...]:
-        """Diameter, Young's modulus, expansion."""
-        return (self.diameter, self.young, self.expansion)
+    def __init__(
+        self, diameter: ArrayLike, young: ArrayLike = 2.0e11, expansion: ArrayLike = 1.2e-5
+    ):
+        names = "the wire's diameter, modulus and expansion"
+        self._give(names, diameter=diameter, young=young, expansion=expansion)
 
     @property
     def cross_section(self) -> Scalars:
-        """πd²/4, m²."""
-        return as_numbers(np.pi / 4 * np.square(self.diameter), "The cross section", "m²")
+        """πd²/4, m²; NaN for the bad cases of an ensemble."""
+        return derived("cross_section", "the wire", {"wire.diameter": self.diameter})

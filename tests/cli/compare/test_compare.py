@@ -1,6 +1,7 @@
 """``kugelpendel compare``: table, figure, JSON, and what is refused."""
 
 import json
+import sys
 from pathlib import Path
 
 import pytest
@@ -127,6 +128,7 @@ def test_package_that_is_not_installed(call, write, monkeypatch: pytest.MonkeyPa
         raise ModuleNotFoundError("No module named 'rich'", name="rich")
 
     monkeypatch.setattr(command, "print_comparison", absent)
+    monkeypatch.setitem(sys.modules, "rich", None)
     outcome = call("compare", write())
     assert outcome.code == 2
     assert "rich is not installed, and `kugelpendel compare` needs it" in outcome.err

@@ -6,24 +6,21 @@ from typing import Any
 import pytest
 
 import kugelpendel as kp
-from kugelpendel.cli.job_file.forces import SURROUNDINGS, Setup, read_setup
+from kugelpendel.cli.job_file.forces import FORCES, read_forces
 from kugelpendel.cli.job_file.table import split
 
 
-def setup(**tables: dict[str, Any]) -> Setup:
+def read(**tables: dict[str, Any]) -> tuple[kp.Pendulum, bool, kp.Forces]:
     given = {"pendulum": {"length": "20 m"}, **tables}
-    return read_setup({table.name: table for table in split(given, ("pendulum",), SURROUNDINGS)})
+    return read_forces({table.name: table for table in split(given, ("pendulum",), FORCES)})
 
 
 def test_nothing_but_a_pendulum() -> None:
-    found = setup()
-    assert found.pendulum == kp.Pendulum(20.0)
-    assert not found.has_mass
-    assert [getattr(found, name) for name in SURROUNDINGS] == [None] * 5
+    assert read() == (kp.Pendulum(20.0), False, kp.Forces())
 
 
 def test_everything() -> None:
-    found = setup(
+    pendulum, has_mass, found = read(
         site={"latitude": "48.846 deg", "height": "35 m"},
         drag={"linear": "1e-5 1/s", "quadratic": "1e-3 1/m"},
         suspension={"anisotropy": "1e-6 rad/s", "axis": "30 deg", "damping_anisotropy": "2e-6 1/s"},
@@ -31,45 +28,44 @@ def test_everything() -> None:
         drive={"push": "1 mm/s", "radius": "20 cm"},
     )
     assert found.site == kp.Site(math.radians(48.846), height=35.0)
-    assert found.pendulum.gravity == kp.Site(math.radians(48.846), height=35.0).gravity
+    assert pendulum.gravity == kp.Site(math.radians(48.846), height=35.0).gravity
     assert found.drag == kp.Drag(1e-5, 1e-3)
     assert found.suspension is not None
     assert found.suspension.values == pytest.approx((1e-6, math.pi / 6, 2e-6, 0.0))
     assert found.bob == kp.Bob(0.1, 7860.0, 0.1)
-    assert found.has_mass
-    assert found.pendulum.mass == kp.Bob(0.1, 7860.0).mass
+    assert has_mass
+    assert pendulum.mass == kp.Bob(0.1, 7860.0).mass
     assert found.drive == kp.Drive(1e-3, radius=0.2)
 
 
 def test_what_is_given_wins() -> None:
-    found = setup(
+    pendulum, *_ = read(
         pendulum={"length": "20 m", "gravity": 9.81, "mass": "30 kg"},
         site={"latitude": "48 deg"},
         bob={"radius": "10 cm", "density": 7860},
     )
-    assert found.pendulum == kp.Pendulum(20.0, 9.81, 30.0)
+    assert pendulum == kp.Pendulum(20.0, 9.81, 30.0)
 
 
 def test_gravity_of_the_site_moves_the_bob() -> None:
-    found = setup(site={"latitude": "48 deg", "gravity": "9.8094 m/s^2"})
-    assert found.pendulum.gravity == 9.8094
+    pendulum, *_ = read(site={"latitude": "48 deg", "gravity": "9.8094 m/s^2"})
+    assert pendulum.gravity == 9.8094
 
 
 def test_ways_to_give_drag() -> None:
     pendulum = kp.Pendulum(20.0)
-    quality = setup(drag={"quality": 800, "quadratic": "1e-3 1/m"}).drag
+    quality = read(drag={"quality": 800, "quadratic": "1e-3 1/m"})[2].drag
     assert quality == kp.Drag(kp.Drag.from_quality(800, pendulum).linear, 1e-3)
-    assert setup(drag={"half_life": "2 h"}).drag == kp.Drag.from_half_life(7200.0)
-    assert setup(drag={"quadratic": 1e-3}).drag == kp.Drag(0.0, 1e-3)
+    assert read(drag={"half_life": "2 h"})[2].drag == kp.Drag.from_half_life(7200.0)
+    assert read(drag={"quadratic": 1e-3})[2].drag == kp.Drag(0.0, 1e-3)
     ball = {"radius": "10 cm", "density": 7860}
-    estimate = setup(drag={"from_bob": True, "thread_diameter": "1 mm"}, bob=ball)
-    assert estimate.drag == kp.Drag.from_bob(
-        kp.Bob(0.1, 7860.0), estimate.pendulum, thread_diameter=1e-3
-    )
+    tables = {"drag": {"from_bob": True, "thread_diameter": "1 mm"}, "bob": ball}
+    heavy, _, estimate = read(**tables)
+    assert estimate.drag == kp.Drag.from_bob(kp.Bob(0.1, 7860.0), heavy, thread_diameter=1e-3)
 
 
 def test_two_periods() -> None:
-    found = setup(suspension={"period_along": "8.97 s", "period_across": "8.98 s", "axis": 0.1})
+    *_, found = read(suspension={"period_along": "8.97 s", "period_across": "8.98 s", "axis": 0.1})
     assert found.suspension == kp.Suspension.from_periods(8.97, 8.98, 0.1)
 
 
@@ -119,4 +115,4 @@ REFUSED: list[tuple[dict[str, dict[str, Any]], str]] = [
 @pytest.mark.parametrize(("tables", "said"), REFUSED, ids=[said for _, said in REFUSED])
 def test_refused(tables: dict[str, dict[str, Any]], said: str) -> None:
     with pytest.raises(kp.InvalidInput, match=said):
-        setup(**tables)
+        read(**tables)

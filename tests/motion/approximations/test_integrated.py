@@ -54,7 +54,7 @@ class TestSupportLevel:
     def test_beyond_is_an_error_with_the_times(self) -> None:
         motion = kp.PlaneMotion(UNIT, self.launch)
         for time, end in zip((-10.0, 10.0), motion.span, strict=True):
-            with pytest.raises(kp.InvalidInput) as caught:
+            with pytest.raises(kp.MotionEnded) as caught:
                 motion.position(time)
             for part in (f"ends at {end:.6g} s", f"{time:g} s", "height of the support", "span"):
                 assert part in str(caught.value)
@@ -76,7 +76,7 @@ def test_cubic_motion_ends_where_it_would_leave_the_sphere() -> None:
     assert first < 0 < last
     radii = np.linalg.norm(motion.position([first, last])[:, :2], axis=-1)
     np.testing.assert_allclose(radii, 1.0, atol=1e-10)
-    with pytest.raises(kp.InvalidInput, match="CubicMotion ends at"):
+    with pytest.raises(kp.MotionEnded, match="CubicMotion ends at"):
         motion.position(1e6)
 
 

@@ -272,7 +272,7 @@ class TestLimits:
         # e^{γt} alone would have taken 1.47e3 s; wide swings lose less of their radius.
         assert -2.5e3 < first < -1.4e3
         assert last == np.inf
-        with pytest.raises(kp.InvalidInput, match=rf"ends at {first:.6g} s"):
+        with pytest.raises(kp.MotionEnded, match=rf"ends at {first:.6g} s"):
             mean.position(2 * first)
 
 

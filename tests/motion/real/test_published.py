@@ -92,12 +92,12 @@ def test_example_is_the_one_found(command: dict[str, Any], repository: Path) -> 
     from kugelpendel.cli.job_file.job import read_job
 
     job, pendulum = read_job(repository / "examples/guelph.toml"), command["FOUND"]
-    assert job.setup.suspension is not None
-    assert job.setup.drive is not None
-    assert job.setup.suspension.anisotropy == pendulum.anisotropy
-    assert job.setup.suspension.damping_anisotropy == pendulum.damping_anisotropy
-    assert job.setup.suspension.axis == pytest.approx(pendulum.axis, abs=1e-3)
-    assert job.setup.drive.values == pytest.approx(pendulum.drive.values, rel=1e-3)
+    assert job.forces.suspension is not None
+    assert job.forces.drive is not None
+    assert job.forces.suspension.anisotropy == pendulum.anisotropy
+    assert job.forces.suspension.damping_anisotropy == pendulum.damping_anisotropy
+    assert job.forces.suspension.axis == pytest.approx(pendulum.axis, abs=1e-3)
+    assert job.forces.drive.values == pytest.approx(pendulum.drive.values, rel=1e-3)
 
 
 def test_page_says_where_the_averaged_equations_hold(page: str, command: dict[str, Any]) -> None:

@@ -16,8 +16,9 @@ use crate::exact::chart::Chart;
 use crate::exact::motion::ExactMotion;
 use crate::exact::phase::Phase;
 use crate::exact::theta::shape::product;
+use crate::given::acting::Acting;
 use crate::given::forces::{Drive, Forces};
-use crate::given::invalid::{Invalid, require};
+use crate::given::invalid::{Invalid, Seen, require};
 use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;
 use crate::given::times::{Quantity, Times, both_ways};
@@ -87,6 +88,15 @@ struct Elements {
 }
 
 impl EnvelopeMotion {
+    /// Under everything that acts; the pendulum is as given, without the bob's corrections. `exact` as in [`Self::new`].
+    ///
+    /// # Errors
+    /// What [`Acting::settle`] and [`Self::new`] refuse.
+    pub fn under(acting: &Acting, pendulum: Pendulum, launch: Launch, exact: bool) -> Result<Self, Invalid> {
+        let effective = acting.settle(&pendulum, &launch)?;
+        Self::new(effective, launch, acting.forces(), acting.drive, exact)
+    }
+
     /// With `exact`, ω and Ω are those of the closed form, and linear drag is averaged at any amplitude.
     ///
     /// # Errors
@@ -95,23 +105,20 @@ impl EnvelopeMotion {
     pub fn new(pendulum: Pendulum, launch: Launch, forces: Forces, drive: Drive, exact: bool) -> Result<Self, Invalid> {
         let motion = ExactMotion::new(pendulum, launch)?;
         let omega0 = pendulum.angular_frequency();
-        let numbers = [forces.damping, forces.quadratic, forces.rotation[1], forces.anisotropy, forces.axis];
-        let damping = [forces.damping_anisotropy, forces.damping_axis];
-        require!(
-            numbers.iter().chain(&damping).all(|value| value.is_finite()),
-            "The forces on the pendulum must be finite numbers, but they are {numbers:?} and {damping:?}."
-        );
+        forces.check()?;
+        drive.check()?;
         for (name, value, unit, most) in [
-            ("suspension's anisotropy", forces.anisotropy, "rad/s", MOST),
-            ("suspension's damping anisotropy", forces.damping_anisotropy, "1/s", MOST),
-            ("linear drag", forces.damping, "1/s", 0.5),
+            ("suspension.anisotropy", forces.anisotropy, "rad/s", MOST),
+            ("suspension.damping_anisotropy", forces.damping_anisotropy, "1/s", MOST),
+            ("drag.linear", forces.damping, "1/s", 0.5),
         ] {
-            require!(
-                value.abs() <= most * omega0,
-                "The {name} of {value} {unit} is {:.3} of ω0 = {omega0:.6} rad/s; beyond {most} of it swings cannot be \
-                 averaged: use RealMotion.",
-                value.abs() / omega0
-            );
+            let share = value.abs() / omega0;
+            require(value.abs() <= most * omega0, || Invalid::TooStrong {
+                value: Seen { name, value, unit },
+                share,
+                frequency: omega0,
+                most,
+            })?;
         }
         let law = Law::new(&forces, drive, pendulum.length, omega0, exact);
         let [mut place, mut rate] = [[0.0; 3]; 2];
@@ -119,14 +126,8 @@ impl EnvelopeMotion {
         motion.fill(Quantity::Velocity, Times::Scattered(&[0.0]), &mut rate);
         let [x, y, z] = place;
         let start = if z > 0.0 { mean(&pendulum, &law, [x, y], [rate[0], rate[1]]) } else { None };
-        let start = start.ok_or_else(|| {
-            let height = motion.turning_heights()[0];
-            Invalid(format!(
-                "EnvelopeMotion holds for swings below the support, but this launch rises to {height:.6} m above the \
-                 lowest point, and the length is {} m; use RealMotion.",
-                pendulum.length
-            ))
-        })?;
+        let height = motion.turning_heights()[0];
+        let start = start.ok_or(Invalid::RisesToSupport { height, length: pendulum.length })?;
         Ok(Self { pendulum, law, start, omega0 })
     }
 
@@ -220,7 +221,17 @@ impl EnvelopeMotion {
         let &Elements { a, b, azimuth, phase } = elements;
         let ideal = Launch::Apsides { a, b: b.clamp(-a, a), azimuth: 0.0 };
         let unit = Pendulum { length: 1.0, gravity: 1.0, mass: 1.0 };
-        let Ok(motion) = ExactMotion::new(unit, ideal) else { return [f64::NAN; 3] };
+        let motion = match ExactMotion::new(unit, ideal) {
+            Ok(motion) => motion,
+            // The swing has died away.
+            Err(Invalid::TooSmall { .. }) => {
+                return match quantity {
+                    Quantity::Position => [0.0, 0.0, length],
+                    Quantity::Velocity => [0.0; 3],
+                };
+            }
+            Err(_) => return [f64::NAN; 3],
+        };
         let at_launch = motion.phase();
         let (Chart::Trigonometric(chart), turn) = motion.chart(&at_launch) else {
             return match quantity {

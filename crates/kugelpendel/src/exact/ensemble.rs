@@ -6,6 +6,8 @@ use crate::given::invalid::Invalid;
 use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;
 use crate::given::times::{Quantity, Times};
+#[cfg(feature = "threads")]
+use crate::sampling::threads::in_parallel;
 
 /// Motions in a row, each good or with the reason why not.
 #[derive(Clone, Debug)]
@@ -26,7 +28,7 @@ impl Ensemble {
         #[cfg(feature = "threads")]
         if blocks > 16 {
             use rayon::prelude::*;
-            let blocks = (0..blocks).into_par_iter().with_min_len(16).map(solve).collect();
+            let blocks = in_parallel(|| (0..blocks).into_par_iter().with_min_len(16).map(solve).collect());
             return Self { blocks, len };
         }
         Self { blocks: (0..blocks).map(solve).collect(), len }
@@ -87,7 +89,7 @@ impl Ensemble {
         #[cfg(feature = "threads")]
         if self.len > 1 {
             use rayon::prelude::*;
-            out.par_chunks_exact_mut(size).enumerate().for_each(fill);
+            in_parallel(|| out.par_chunks_exact_mut(size).enumerate().for_each(fill));
             return;
         }
         out.chunks_exact_mut(size).enumerate().for_each(fill);

@@ -15,6 +15,8 @@ use crate::numbers::arithmetic::{Arithmetic, dispatch};
 use crate::numbers::double_double::{Pair, two_sum};
 use crate::numbers::turns;
 use crate::sampling::blocks::{Rotations, rotations};
+#[cfg(feature = "threads")]
+use crate::sampling::threads::in_parallel;
 use std::f64::consts::TAU;
 
 /// Times that one thread takes at once; smaller requests stay on the caller's thread.
@@ -64,7 +66,7 @@ pub(crate) fn in_tasks(times: Times<'_>, out: &mut [f64], fill: impl Fn(Times<'_
     if out.len() > 3 * TASK {
         use rayon::prelude::*;
         let parts = out.par_chunks_mut(3 * TASK).enumerate();
-        return parts.for_each(|(task, part)| fill(times.from(task * TASK), part));
+        return in_parallel(|| parts.for_each(|(task, part)| fill(times.from(task * TASK), part)));
     }
     fill(times, out);
 }

@@ -105,12 +105,7 @@ impl ExactMotion {
                 Poles { span, offset: from_lower + upper, phase, azimuth: TAU * turn + ahead }
             }
             Chart::Hyperbolic(chart) => {
-                require!(
-                    chart.span.is_finite(),
-                    "The motion lies on the separatrix (energy {} J/kg, just enough to stand upright): it never \
-                     repeats and has no spectrum.",
-                    self.energy()
-                );
+                require(chart.span.is_finite(), || Invalid::Separatrix { energy: self.energy() })?;
                 let span = PI * PI / chart.span;
                 let offset = 0.5 * span - chart.argument_difference() * span / PI;
                 Poles { span, offset, phase, azimuth: TAU * turn }

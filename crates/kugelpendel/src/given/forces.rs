@@ -1,4 +1,7 @@
-//! What acts on the bob of a real pendulum beside gravity and the thread.
+//! What acts on the bob of a real pendulum beside gravity and the thread, as its equations of motion take it.
+
+use crate::given::invalid::{Invalid, finite, positive, require};
+use std::f64::consts::PI;
 
 /// Per unit of mass; all zero for the ideal pendulum.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -17,6 +20,24 @@ pub struct Forces {
     pub damping_anisotropy: f64,
     /// rad.
     pub damping_axis: f64,
+}
+
+impl Forces {
+    /// # Errors
+    /// What is not finite.
+    pub fn check(&self) -> Result<(), Invalid> {
+        let [horizontal, vertical] = self.rotation;
+        finite(&[
+            ("drag.linear", self.damping, "1/s"),
+            ("drag.quadratic", self.quadratic, "1/m"),
+            ("site.horizontal_rotation", horizontal, "rad/s"),
+            ("site.vertical_rotation", vertical, "rad/s"),
+            ("suspension.anisotropy", self.anisotropy, "rad/s"),
+            ("suspension.axis", self.axis, "rad"),
+            ("suspension.damping_anisotropy", self.damping_anisotropy, "1/s"),
+            ("suspension.damping_axis", self.damping_axis, "rad"),
+        ])
+    }
 }
 
 /// A push away from the axis, once every half swing.
@@ -39,6 +60,27 @@ pub enum Drive {
         /// Distance from the axis, m.
         radius: f64,
     },
+}
+
+impl Drive {
+    /// # Errors
+    /// A push that is not finite, a phase outside of 0 to π, and a radius that is not positive.
+    pub fn check(&self) -> Result<(), Invalid> {
+        finite(&[("drive.push", self.push(), "m/s")])?;
+        match *self {
+            Self::Absent => Ok(()),
+            Self::Phase { phase, .. } => require((0.0..PI).contains(&phase), || Invalid::DrivePhase { phase }),
+            Self::Radius { radius, .. } => positive(&[("drive.radius", radius, "m")]),
+        }
+    }
+
+    /// Change of the horizontal velocity, m/s; 0 where there is no drive.
+    pub fn push(&self) -> f64 {
+        match *self {
+            Self::Absent => 0.0,
+            Self::Phase { push, .. } | Self::Radius { push, .. } => push,
+        }
+    }
 }
 
 /// What a thread does when its tension is used up.

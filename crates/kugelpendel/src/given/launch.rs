@@ -1,9 +1,10 @@
 //! How the motion begins, in the words of whoever launches, and the state that follows from it.
 
-use crate::given::invalid::{Invalid, require};
+use crate::given::invalid::{Invalid, Seen, require};
 use crate::given::pendulum::Pendulum;
 use crate::numbers::arithmetic::Arithmetic;
 use crate::numbers::double_double::Dd;
+use std::f64::consts::TAU;
 
 /// The ways to say it; `z` points down from the support, azimuths count counter-clockwise from x seen from above.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,6 +61,12 @@ pub enum Launch {
 /// How far, relatively, a given state may lie off the sphere or its tangent plane and still be taken for rounding.
 pub const TOLERANCE: f64 = 1e-9;
 
+/// The largest speed in lω0: beyond it the fourth power overflows, which the constants of the motion take.
+pub const FASTEST: f64 = 1e77;
+
+/// The smallest motion in l: below it the fourth power has no digits left to tell its turning points apart.
+pub const SMALLEST: f64 = 1e-75;
+
 pub(crate) const STATE_NUMBERS: usize = 10;
 
 /// The launch without dimensions: lengths in l, times in 1/ω0. What a motion is computed from.
@@ -80,62 +87,74 @@ pub(crate) struct LaunchState<A> {
 
 impl Launch {
     /// # Errors
-    /// A number that is not finite, or a launch that does not lie on the sphere of this pendulum.
+    /// A number that is not finite, an angle beyond ±2π, or a launch that does not lie on the sphere of this pendulum.
     pub fn check(&self, pendulum: &Pendulum) -> Result<(), Invalid> {
+        self.check_numbers()?;
         let length = pendulum.length;
-        for (name, value, unit) in self.named_values() {
-            require!(value.is_finite(), "The launch's {name} must be a finite number, but it is {value} {unit}.");
-        }
+        self.check_place(length)?;
+        let [size, speed] = self.extent(pendulum);
+        let (unit, most) = (length * pendulum.angular_frequency(), FASTEST * length * pendulum.angular_frequency());
+        require(speed <= most, || Invalid::TooFast { speed, most })?;
+        let size = size.hypot(speed / unit);
+        require(size == 0.0 || size >= SMALLEST, || Invalid::TooSmall { size: size * length, least: SMALLEST * length })
+    }
+
+    fn check_place(&self, length: f64) -> Result<(), Invalid> {
         match *self {
             Self::Ellipse { a, .. } => {
-                require!(
-                    a >= 0.0,
-                    "The launch's displacement a must not be negative, but it is {a} m; turn the launch with azimuth \
-                     instead."
-                );
-                require!(
-                    a < length,
-                    "The launch's displacement a = {a} m does not fit on the lower half of a sphere of radius \
-                     {length} m; use Launch.angles or Launch.state for launches from the support's level and above."
-                );
+                require(a >= 0.0, || Invalid::EllipseNegative { a })?;
+                require(a < length, || Invalid::EllipseTooWide { a, length })
             }
             Self::Apsides { a, b, .. } => {
-                require!(
-                    (0.0..length).contains(&a),
-                    "The outer turning radius a must lie between 0 and the length {length} m, but it is {a} m; use \
-                     Launch.angles or Launch.state for motions that rise above the support."
-                );
-                require!(
-                    b.abs() <= a,
-                    "The inner turning radius |b| = {} m must not exceed the outer one, a = {a} m; exchange them and \
-                     turn the launch by 90° with azimuth.",
-                    b.abs()
-                );
+                require((0.0..length).contains(&a), || Invalid::ApsidesTooWide { a, length })?;
+                require(b.abs() <= a, || Invalid::ApsidesExchanged { b: b.abs(), a })
             }
             Self::Plane { x, y, .. } => {
                 let radius = x.hypot(y);
-                require!(
-                    radius < length,
-                    "The launch point is not on the lower half of the sphere: √(x² + y²) = {radius} m, length = \
-                     {length} m; use Launch.state or Launch.angles from the support's level up."
-                );
+                require(radius < length, || Invalid::PlaneTooWide { radius, length })
             }
-            Self::Angles { .. } => {}
+            Self::Angles { .. } => Ok(()),
             Self::State { position, velocity } => {
                 let radius = norm(position);
-                require!(
-                    (radius - length).abs() <= TOLERANCE * length,
-                    "The launch point is not on the sphere: |r| = {radius} m, length = {length} m; use \
-                     Launch.plane(x, y, vx, vy) to let z follow."
-                );
+                let on_it = (radius - length).abs() <= TOLERANCE * length;
+                require(on_it, || Invalid::OffTheSphere { radius, length })?;
                 let speed = norm(velocity);
                 let radial = position.iter().zip(velocity).map(|(r, v)| r * v).sum::<f64>() / radius;
-                require!(
-                    radial.abs() <= TOLERANCE * speed,
-                    "The launch velocity would stretch the thread: its component along the thread is {radial} m/s of \
-                     {speed} m/s; take that component away, or use Launch.plane(x, y, vx, vy) to let vz follow."
-                );
+                require(radial.abs() <= TOLERANCE * speed, || Invalid::Stretching { radial, speed })
             }
+        }
+    }
+
+    /// How far from the lowest point, roughly and in lengths, and how fast, m/s.
+    fn extent(&self, pendulum: &Pendulum) -> [f64; 2] {
+        let (length, omega0) = (pendulum.length, pendulum.angular_frequency());
+        match *self {
+            Self::Ellipse { a, b, .. } => [a / length, b.abs() * omega0],
+            Self::Apsides { a, b, .. } => [a / length, b.abs() * omega0],
+            Self::Plane { x, y, vx, vy } => {
+                let (x, y) = (x / length, y / length);
+                let depth = ((1.0 - x.hypot(y)) * (1.0 + x.hypot(y))).sqrt();
+                [x.hypot(y), vx.hypot(vy).hypot((x * vx + y * vy) / depth)]
+            }
+            Self::Angles { theta, theta_rate, phi_rate, .. } => {
+                [theta.abs(), length * theta_rate.hypot(theta.sin() * phi_rate)]
+            }
+            Self::State { position: [x, y, z], velocity } => {
+                [(x / length).hypot(y / length).hypot(if z < 0.0 { 1.0 } else { 0.0 }), norm(velocity)]
+            }
+        }
+    }
+
+    /// What can be said without a pendulum.
+    ///
+    /// # Errors
+    /// A number that is not finite, or an angle beyond ±2π.
+    pub fn check_numbers(&self) -> Result<(), Invalid> {
+        for (name, value, unit) in self.named_values() {
+            require(value.is_finite(), || Invalid::LaunchNotFinite { value: Seen { name, value, unit } })?;
+            // Beyond a whole turn either way degrees are meant, most likely.
+            let sound = unit != "rad" || value.abs() <= TAU;
+            require(sound, || Invalid::LaunchAngle { value: Seen { name, value, unit } })?;
         }
         Ok(())
     }

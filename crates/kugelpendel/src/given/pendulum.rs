@@ -1,6 +1,6 @@
 //! The pendulum itself: a point mass on a massless thread.
 
-use crate::given::invalid::{Invalid, require};
+use crate::given::invalid::{Invalid, positive};
 use crate::numbers::arithmetic::Arithmetic;
 use crate::numbers::double_double::Dd;
 
@@ -19,24 +19,11 @@ impl Pendulum {
     /// # Errors
     /// A length, gravity or mass that is not positive and finite.
     pub fn check(&self) -> Result<(), Invalid> {
-        let good = |value: f64| value > 0.0 && value.is_finite();
-        require!(
-            good(self.length),
-            "The pendulum's length must be positive and finite, but it is {} m; give the distance from the support \
-             to the bob's centre in metres.",
-            self.length
-        );
-        require!(
-            good(self.gravity),
-            "Gravity must be positive and finite, but it is {} m/s²; leave it out for the standard 9.80665 m/s².",
-            self.gravity
-        );
-        require!(
-            good(self.mass),
-            "The bob's mass must be positive and finite, but it is {} kg; leave it out for 1 kg.",
-            self.mass
-        );
-        Ok(())
+        positive(&[
+            ("pendulum.length", self.length, "m"),
+            ("pendulum.gravity", self.gravity, "m/s²"),
+            ("pendulum.mass", self.mass, "kg"),
+        ])
     }
 
     /// ω0 = √(g/l), rad/s: the frequency of infinitesimal swings.

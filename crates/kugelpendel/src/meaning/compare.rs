@@ -88,14 +88,21 @@ pub struct EllipseRates {
 }
 
 impl EllipseRates {
-    /// The narrowest ellipse of this outer turning radius that shows a precession: the limit b → 0 at b = 0.
-    pub fn widened(a: f64, b: f64) -> f64 {
-        b.abs().max(NARROW * a)
+    /// The turning radii of the motions by which an ellipse a by b (m) is judged: first a and b as launched, then the b of
+    /// the narrowest ellipse that shows a precession.
+    ///
+    /// At b = 0 that is the limit b → 0. A swing of less than 1e-12 of the length is judged by its
+    /// shape at a size that the numbers hold.
+    pub fn radii(a: f64, b: f64, length: f64) -> [f64; 3] {
+        let least = 1e-3 * TINY * length;
+        let growth = if a > 0.0 && a < least { least / a } else { 1.0 };
+        let (a, b) = (a * growth, b * growth);
+        [a, b, b.abs().max(NARROW * a)]
     }
 
-    /// Judges (25) and (26) on a motion that was launched between the turning radii a and `widened(a, b)`, in m.
+    /// Judges (25) and (26) on a motion that was launched between the turning radii a and b, in m.
     pub fn of(motion: &ExactMotion, a: f64, b: f64) -> Self {
-        let (pendulum, b) = (motion.pendulum(), Self::widened(a, b));
+        let pendulum = motion.pendulum();
         let (precession, frequency) = (motion.precession(), motion.frequency());
         let tiny = a / pendulum.length < TINY;
         let error = |formula: f64, truth: f64| if tiny { 0.0 } else { formula / truth - 1.0 };

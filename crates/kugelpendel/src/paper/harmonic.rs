@@ -98,12 +98,8 @@ impl HarmonicMotion {
     pub fn new(pendulum: Pendulum, launch: Launch, law: HarmonicLaw) -> Result<Self, Invalid> {
         let exact = ExactMotion::new(pendulum, launch)?;
         let height = exact.turning_heights()[0];
-        require!(
-            height < pendulum.length,
-            "This approximation holds below the support, but this launch rises to {height:.6} m above the lowest point, \
-             and the length is {:?} m; use ExactMotion.",
-            pendulum.length
-        );
+        let length = pendulum.length;
+        require(height < length, || Invalid::AboveSupport { height, length })?;
         let [a, b] = exact.turning_radii();
         let b = if exact.angular_momentum() < 0.0 { -b } else { b };
         let (frequency, precession) = match law {

@@ -27,12 +27,8 @@ impl IntegratedMotion {
     pub fn new(pendulum: Pendulum, equation: Equation, launch: Launch) -> Result<Self, Invalid> {
         let (mut launch, omega0) = launch_point(pendulum, launch)?;
         let z = launch.position[2];
-        require!(
-            z > 0.0,
-            "A motion in the plan view starts on the lower half of the sphere, but this launch lies {} m above the \
-             support; use ExactMotion.",
-            -z * pendulum.length
-        );
+        let above = -z * pendulum.length;
+        require(z > 0.0, || Invalid::StartsAbove { above })?;
         (launch.position[2], launch.velocity[2]) = (0.0, 0.0);
         Ok(Self { pendulum, equation, omega0, launch })
     }

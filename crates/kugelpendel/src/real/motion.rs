@@ -1,6 +1,7 @@
 //! The motion of a real pendulum: the full equations, integrated.
 
 use crate::exact::motion::ExactMotion;
+use crate::given::acting::Acting;
 use crate::given::forces::{Drive, Forces, Thread};
 use crate::given::invalid::Invalid;
 use crate::given::launch::Launch;
@@ -22,10 +23,25 @@ pub struct RealMotion {
 }
 
 impl RealMotion {
+    /// Under everything that acts; the pendulum is as given, without the bob's corrections.
+    ///
+    /// # Errors
+    /// What [`Acting::settle`] refuses.
+    pub fn under(
+        acting: &Acting,
+        pendulum: Pendulum,
+        launch: Launch,
+        thread: Thread,
+        tolerance: f64,
+    ) -> Result<Self, Invalid> {
+        let effective = acting.settle(&pendulum, &launch)?;
+        Self::new(effective, launch, acting.forces(), acting.drive, thread, tolerance)
+    }
+
     /// The pendulum's gravity is what moves the bob, buoyancy and all taken into account.
     ///
     /// # Errors
-    /// A pendulum or launch that makes no sense.
+    /// A pendulum, launch, force or drive that makes no sense.
     pub fn new(
         pendulum: Pendulum,
         launch: Launch,
@@ -34,6 +50,8 @@ impl RealMotion {
         thread: Thread,
         tolerance: f64,
     ) -> Result<Self, Invalid> {
+        forces.check()?;
+        drive.check()?;
         let (launch, omega0) = launch_point(pendulum, launch)?;
         let scale = [pendulum.length, omega0.hi];
         Ok(Self { pendulum, omega0, problem: Problem::new(&forces, drive, thread, tolerance, launch, scale) })

@@ -39,8 +39,8 @@ def compare(file: Path, folder: Path | None, as_json: bool) -> None:
         Anything wrong with the file or the folder. Nothing is left half-written.
     """
     job = read_job(file)
-    if job.surroundings:
-        tables = ", ".join(f"[{name}]" for name in job.surroundings)
+    if job.is_real:
+        tables = ", ".join(f"[{name}]" for name in job.forces.parts)
         raise kp.InvalidInput(
             f"{file}: the motions that are compared know no forces but gravity, and the job has "
             f"{tables}; leave that out, or use `kugelpendel run`."
@@ -48,7 +48,7 @@ def compare(file: Path, folder: Path | None, as_json: bool) -> None:
     try:
         comparison = kp.compare(job.pendulum, job.launch, job.grid.duration)
     except kp.InvalidInput as error:
-        raise kp.InvalidInput(f"{file}: {error}") from error
+        raise error.at(f"{file}: ") from error
     target = folder if folder is not None else Path("out") / file.stem
     results = _as_json(job, comparison)
     with staged(target, (FIGURE, RESULTS)) as temporary:

@@ -45,7 +45,7 @@ def design(file: Path, folder: Path | None, as_json: bool, checked: bool) -> Non
     try:
         found = _answered(questions, checked)
     except kp.InvalidInput as error:
-        raise kp.InvalidInput(f"{file}: {error}") from error
+        raise error.at(f"{file}: ") from error
     target = folder if folder is not None else Path("out") / file.stem
     results = _as_json(questions, found)
     with staged(target, (FIGURE, RESULTS)) as temporary:
@@ -59,7 +59,6 @@ def design(file: Path, folder: Path | None, as_json: bool, checked: bool) -> Non
 
 
 def _answered(questions: Questions, checked: bool) -> kp.Design:
-    setup = questions.setup
     with Progress("Running the checks", 1000) as progress:
         shown = 0
 
@@ -70,15 +69,11 @@ def _answered(questions: Questions, checked: bool) -> kp.Design:
             shown = now
 
         return kp.design(
-            setup.pendulum,
+            questions.pendulum,
             questions.a,
             questions.b,
             azimuth=questions.azimuth,
-            site=setup.site,
-            drag=setup.drag,
-            suspension=setup.suspension,
-            bob=setup.bob,
-            drive=setup.drive,
+            forces=questions.forces,
             wire=questions.wire,
             share=questions.share,
             after=questions.after,

@@ -23,12 +23,11 @@ from typing import TYPE_CHECKING
 import kugelpendel as kp
 from kugelpendel.cli.job_file import toml_text
 from kugelpendel.cli.job_file.forces import (
-    SURROUNDINGS,
-    Setup,
+    FORCES,
     given,
     named,
     plain_number,
-    read_setup,
+    read_forces,
 )
 from kugelpendel.cli.job_file.quantity import ANGLE, LENGTH, TIME, Kind
 from kugelpendel.cli.job_file.table import Table, split
@@ -61,7 +60,9 @@ class Questions:
     """What a file asks, checked key by key, in SI."""
 
     file: Path
-    setup: Setup
+    pendulum: kp.Pendulum
+    has_mass: bool
+    forces: kp.Forces
     a: float
     b: float
     azimuth: float
@@ -82,15 +83,18 @@ def read_questions(path: Path) -> Questions:
     """
     tables = toml_text.read_file(path)
     try:
-        optional = (*SURROUNDINGS, "wire", "questions")
+        optional = (*FORCES, "wire", "questions")
         found = {table.name: table for table in split(tables, ("pendulum", "swing"), optional)}
         swing = found["swing"]
         swing.allow(("a", "b", "azimuth"))
         asked = found.get("questions", Table("questions", {}))
         asked.allow(("share", "after", "radius", "time"))
+        pendulum, has_mass, forces = read_forces(found)
         return Questions(
             file=path,
-            setup=read_setup(found),
+            pendulum=pendulum,
+            has_mass=has_mass,
+            forces=forces,
             a=swing.quantity("a", LENGTH),
             b=swing.quantity("b", LENGTH, default=0.0),
             azimuth=swing.quantity("azimuth", ANGLE, default=0.0),
@@ -101,7 +105,7 @@ def read_questions(path: Path) -> Questions:
             time=given(asked, "time", TIME),
         )
     except kp.InvalidInput as error:
-        raise kp.InvalidInput(f"{path}: {error}") from error
+        raise error.at(f"{path}: ") from error
 
 
 def _wire(table: Table) -> kp.Wire:

@@ -42,7 +42,7 @@ _LARGE = {"Pa": ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa")), "W": ((1.0, "W"), (1
 def print_design(questions: Questions, design: kp.Design) -> None:
     """Print the numbers, group by group, and then where they come from."""
     case = design.case
-    lines = [("Pendulum", describe_pendulum(case.pendulum, questions.setup.has_mass))]
+    lines = [("Pendulum", describe_pendulum(case.pendulum, questions.has_mass))]
     swing = f"a = {as_given(case.a, 'm')}, b = {as_given(case.b, 'm')}"
     angle = math.degrees(math.asin(case.a / case.length))
     lines.append(("Swing", f"{swing}, {significant(angle, 4)}° to either side"))

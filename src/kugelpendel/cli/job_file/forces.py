@@ -27,7 +27,7 @@ from __future__ import annotations
 
 import math
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import kugelpendel as kp
@@ -52,25 +52,12 @@ DENSITY = Kind("a density", "kg/m^3", "8500 kg/m^3")
 DECAY = Kind("a decay rate", "1/s", "1e-5 1/s")
 QUADRATIC = Kind("a quadratic drag", "1/m", "1e-3 1/m")
 
-SURROUNDINGS = ("site", "drag", "suspension", "bob", "drive")
+FORCES = ("site", "drag", "suspension", "bob", "drive")
 """The tables that a file may have beside ``[pendulum]``."""
 
 
-@dataclass(frozen=True)
-class Setup:
-    """A pendulum and what acts on it; None for what the file has no table of."""
-
-    pendulum: kp.Pendulum
-    has_mass: bool
-    site: kp.Site | None
-    drag: kp.Drag | None
-    suspension: kp.Suspension | None
-    bob: kp.Bob | None
-    drive: kp.Drive | None
-
-
-def read_setup(tables: Mapping[str, Table]) -> Setup:
-    """Read ``[pendulum]`` and those of `SURROUNDINGS` that are there.
+def read_forces(tables: Mapping[str, Table]) -> tuple[kp.Pendulum, bool, kp.Forces]:
+    """The pendulum, whether a mass was given, and what acts, from those of `FORCES` that are there.
 
     Raises
     ------
@@ -83,15 +70,14 @@ def read_setup(tables: Mapping[str, Table]) -> Setup:
     if bob is not None:
         with named(tables["bob"]):
             bob.gravity_factor(pendulum.length)
-    return Setup(
-        pendulum=pendulum,
-        has_mass="mass" in tables["pendulum"].entries or bob is not None,
+    forces = kp.Forces(
         site=site,
         drag=_drag(tables["drag"], pendulum, bob) if "drag" in tables else None,
         suspension=_suspension(tables["suspension"]) if "suspension" in tables else None,
         bob=bob,
         drive=_drive(tables["drive"]) if "drive" in tables else None,
     )
+    return pendulum, "mass" in tables["pendulum"].entries or bob is not None, forces
 
 
 def _pendulum(table: Table, site: kp.Site | None, bob: kp.Bob | None) -> kp.Pendulum:
@@ -227,6 +213,6 @@ def named(table: Table) -> Generator[None]:
     try:
         yield
     except kp.InvalidInput as error:
-        if str(error).startswith("["):
+        if not error.kind:
             raise  # it was the file's own value, which is named already
-        raise kp.InvalidInput(f"[{table.name}] {error}") from error
+        raise error.at(f"[{table.name}] ") from error

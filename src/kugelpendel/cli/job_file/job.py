@@ -35,7 +35,7 @@ from typing import TYPE_CHECKING
 
 import kugelpendel as kp
 from kugelpendel.cli.job_file import toml_text
-from kugelpendel.cli.job_file.forces import SURROUNDINGS, Setup, read_setup
+from kugelpendel.cli.job_file.forces import FORCES, read_forces
 from kugelpendel.cli.job_file.quantity import ANGLE, LENGTH, RATE, SPEED
 from kugelpendel.cli.job_file.sample_times import Grid, read_grid
 from kugelpendel.cli.job_file.table import Table, split
@@ -57,30 +57,21 @@ LAUNCHES = {
 
 @dataclass(frozen=True)
 class Job:
-    """What a job file asks for, checked, in SI."""
+    """What a job file asks for, checked, in SI; `has_mass` where a mass or a bob was given."""
 
     file: Path
-    setup: Setup
-    kind: str
+    pendulum: kp.Pendulum
+    has_mass: bool
+    forces: kp.Forces
     launch: kp.Launch
     grid: Grid
     format: str
     figure: bool
 
     @property
-    def pendulum(self) -> kp.Pendulum:
-        """What swings."""
-        return self.setup.pendulum
-
-    @property
-    def has_mass(self) -> bool:
-        """Whether a mass was given, by itself or with the bob."""
-        return self.setup.has_mass
-
-    @property
-    def surroundings(self) -> list[str]:
-        """The tables of the real pendulum that the file has; none for an ideal one."""
-        return [name for name in SURROUNDINGS if getattr(self.setup, name) is not None]
+    def is_real(self) -> bool:
+        """Whether the file has a table of what acts."""
+        return bool(self.forces.parts)
 
 
 def read_job(path: Path) -> Job:
@@ -93,22 +84,24 @@ def read_job(path: Path) -> Job:
     """
     tables = toml_text.read_file(path)
     try:
-        present = split(tables, ("pendulum", "launch", "output"), SURROUNDINGS)
+        present = split(tables, ("pendulum", "launch", "output"), FORCES)
         _, launch, output, *_ = present
         output.allow(("duration", "step", "samples", "format", "figure"))
         kind = launch.choice("kind", LAUNCHES)
         launch.allow(("kind", *LAUNCHES[kind]), owner=f' for kind = "{kind}"')
+        pendulum, has_mass, forces = read_forces({table.name: table for table in present})
         return Job(
             file=path,
-            setup=read_setup({table.name: table for table in present}),
-            kind=kind,
+            pendulum=pendulum,
+            has_mass=has_mass,
+            forces=forces,
             launch=_launch(launch, kind),
             grid=read_grid(output),
             format=output.choice("format", FORMATS, default="csv"),
             figure=output.truth("figure", default=True),
         )
     except kp.InvalidInput as error:
-        raise kp.InvalidInput(f"{path}: {error}") from error
+        raise error.at(f"{path}: ") from error
 
 
 def _launch(table: Table, kind: str) -> kp.Launch:

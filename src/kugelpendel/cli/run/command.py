@@ -45,7 +45,7 @@ def run(file: Path, folder: Path | None, as_json: bool, track_format: str | None
     if track_format is not None:
         job = replace(job, format=track_format)
     target = folder if folder is not None else Path("out") / file.stem
-    do = run_real if job.surroundings else _run_ideal
+    do = run_real if job.is_real else _run_ideal
     results, said, files = do(job, target, _capitalised(file.stem))
     if as_json:
         sys.stdout.write(results)
@@ -59,7 +59,7 @@ def _run_ideal(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]
     try:
         motion = kp.ExactMotion(job.pendulum, job.launch)
     except kp.InvalidInput as error:
-        raise kp.InvalidInput(f"{job.file}: {error}") from error
+        raise error.at(f"{job.file}: ") from error
     summary = kp.IdealSummary.of(motion)
     track = FILES[job.format]
     files = [track, FIGURE] if job.figure else [track]

@@ -77,13 +77,13 @@ def describe_start(job: Job) -> dict[str, Any]:
             "gravity_m_per_s2": float(job.pendulum.gravity),
             "mass_kg": float(job.pendulum.mass),
         },
-        "launch": {"kind": job.kind, **_launch(job, LAUNCHES[job.kind])},
+        "launch": {"kind": job.launch.kind, **_launch(job, LAUNCHES[job.launch.kind])},
     }
 
 
 def _launch(job: Job, arguments: Sequence[str]) -> dict[str, Any]:
     values = [float(value) for value in job.launch.values]
-    if job.kind == "state":
+    if job.launch.kind == "state":
         return {"position_m": values[:3], "velocity_m_per_s": values[3:]}
     # at_rest names the first two of the values of angles.
     named = zip(arguments, values, strict=False)

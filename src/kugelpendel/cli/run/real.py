@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -160,20 +160,14 @@ def real_motion(job: Job) -> kp.RealMotion:
         With the name of the file.
     """
     try:
-        return kp.RealMotion(job.pendulum, job.launch, **_parts(job))
+        return kp.RealMotion(job.pendulum, job.launch, job.forces)
     except kp.InvalidInput as error:
-        raise kp.InvalidInput(f"{job.file}: {error}") from error
+        raise error.at(f"{job.file}: ") from error
 
 
 def averaged_motion(job: Job) -> kp.EnvelopeMotion:
     """The averaged motion of a job under all of its forces."""
-    return kp.EnvelopeMotion(job.pendulum, job.launch, **_parts(job))
-
-
-def _parts(job: Job) -> dict[str, Any]:
-    setup = job.setup
-    names = ("site", "drag", "suspension", "bob", "drive")
-    return {name: getattr(setup, name) for name in names}
+    return kp.EnvelopeMotion(job.pendulum, job.launch, job.forces)
 
 
 def _keep(job: Job, results: RealResults, temporary: Path, folder: Path) -> None:

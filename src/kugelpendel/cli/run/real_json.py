@@ -13,7 +13,7 @@ from kugelpendel.observables import CAUSES
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from kugelpendel.cli.job_file.forces import Setup
+    import kugelpendel as kp
     from kugelpendel.cli.job_file.job import Job
     from kugelpendel.cli.run.real import RealResults
     from kugelpendel.observables import RealSummary, Shares
@@ -40,7 +40,7 @@ def real_json(job: Job, found: RealResults, files: Sequence[str]) -> str:
     tables = {
         "about": _ABOUT,
         **describe_start(job),
-        "forces": _forces(job.setup),
+        "forces": _forces(job.forces),
         "periods": {
             "small_swings_of_a_point_s": seen.point_period,
             "small_swings_s": seen.small_period,
@@ -74,39 +74,39 @@ def real_json(job: Job, found: RealResults, files: Sequence[str]) -> str:
     return to_json(tables)
 
 
-def _forces(setup: Setup) -> dict[str, Any]:
+def _forces(acting: kp.Forces) -> dict[str, Any]:
     """What acted, None for what did not."""
     forces: dict[str, Any] = dict.fromkeys(("site", "drag", "suspension", "bob", "drive"))
-    if setup.site is not None:
+    if acting.site is not None:
         forces["site"] = {
-            "latitude_rad": float(setup.site.latitude),
-            "gravity_m_per_s2": float(setup.site.gravity),
-            "height_m": float(setup.site.height),
+            "latitude_rad": float(acting.site.latitude),
+            "gravity_m_per_s2": float(acting.site.gravity),
+            "height_m": float(acting.site.height),
         }
-    if setup.drag is not None:
+    if acting.drag is not None:
         forces["drag"] = {
-            "linear_per_s": float(setup.drag.linear),
-            "quadratic_per_m": float(setup.drag.quadratic),
+            "linear_per_s": float(acting.drag.linear),
+            "quadratic_per_m": float(acting.drag.quadratic),
         }
-    if setup.suspension is not None:
+    if acting.suspension is not None:
         forces["suspension"] = {
-            "anisotropy_rad_per_s": float(setup.suspension.anisotropy),
-            "axis_rad": float(setup.suspension.axis),
-            "damping_anisotropy_per_s": float(setup.suspension.damping_anisotropy),
-            "damping_axis_rad": float(setup.suspension.damping_axis),
+            "anisotropy_rad_per_s": float(acting.suspension.anisotropy),
+            "axis_rad": float(acting.suspension.axis),
+            "damping_anisotropy_per_s": float(acting.suspension.damping_anisotropy),
+            "damping_axis_rad": float(acting.suspension.damping_axis),
         }
-    if setup.bob is not None:
+    if acting.bob is not None:
         forces["bob"] = {
-            "radius_m": float(setup.bob.radius),
-            "density_kg_per_m3": float(setup.bob.density),
-            "mass_kg": float(setup.bob.mass),
-            "thread_mass_kg": float(setup.bob.thread_mass),
-            "air_density_kg_per_m3": float(setup.bob.air_density),
+            "radius_m": float(acting.bob.radius),
+            "density_kg_per_m3": float(acting.bob.density),
+            "mass_kg": float(acting.bob.mass),
+            "thread_mass_kg": float(acting.bob.thread_mass),
+            "air_density_kg_per_m3": float(acting.bob.air_density),
         }
-    if setup.drive is not None:
-        phase, radius = setup.drive.phase, setup.drive.radius
+    if acting.drive is not None:
+        phase, radius = acting.drive.phase, acting.drive.radius
         forces["drive"] = {
-            "push_m_per_s": float(setup.drive.push),
+            "push_m_per_s": float(acting.drive.push),
             "phase_rad": None if phase is None else float(phase),
             "radius_m": None if radius is None else float(radius),
         }

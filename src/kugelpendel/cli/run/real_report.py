@@ -10,7 +10,7 @@ import numpy as np
 
 from kugelpendel.cli.run.budget import describe_pace, shares_table
 from kugelpendel.cli.terminal.describe import describe_launch, describe_pendulum
-from kugelpendel.cli.terminal.describe_forces import describe_surroundings
+from kugelpendel.cli.terminal.describe_forces import describe_forces
 from kugelpendel.spelling import minus, significant, spell, spell_percent, spell_rate
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ def real_report(job: Job, found: RealResults) -> str:
     lines = [
         f"{'Pendulum':<19}{describe_pendulum(job.pendulum, job.has_mass)}",
         f"{'Launch':<19}{describe_launch(job)}",
-        *(f"{name:<19}{text}" for name, text in describe_surroundings(job.setup)),
+        *(f"{name:<19}{text}" for name, text in describe_forces(job.pendulum, job.forces)),
         "",
         *(f"{name:<19}{value:<21}  {meaning}".rstrip() for name, value, meaning in rows),
         "",

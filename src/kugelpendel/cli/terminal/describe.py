@@ -22,11 +22,11 @@ def describe_pendulum(pendulum: kp.Pendulum, has_mass: bool) -> str:
 def describe_launch(job: Job) -> str:
     """How the bob starts."""
     values = job.launch.values
-    match job.kind:
+    match job.launch.kind:
         case "ellipse" | "apsides":
             a, b, azimuth = (float(value) for value in values)
             start = f"{as_given(a, 'm')} out{_towards(azimuth)}"
-            if job.kind == "apsides":
+            if job.launch.kind == "apsides":
                 sense = ", clockwise" if b < 0 else ""
                 return (
                     f"{start}, turning radii {as_given(a, 'm')} and {as_given(abs(b), 'm')}{sense}"

@@ -9,24 +9,23 @@ from kugelpendel.spelling import as_given, degrees, general, spell, unit_for
 
 if TYPE_CHECKING:
     import kugelpendel as kp
-    from kugelpendel.cli.job_file.forces import Setup
 
 
-def describe_surroundings(setup: Setup) -> list[tuple[str, str]]:
+def describe_forces(pendulum: kp.Pendulum, forces: kp.Forces) -> list[tuple[str, str]]:
     """A name and a phrase for each table that the job has."""
-    frequency = float(setup.pendulum.angular_frequency)
+    frequency = float(pendulum.angular_frequency)
     lines: list[tuple[str, str]] = []
-    if setup.site is not None:
-        lines.append(("Site", _site(setup.site)))
-    if setup.drag is not None:
-        lines.append(("Drag", _drag(setup.drag, frequency)))
-    if setup.suspension is not None:
-        parts = _suspension(setup.suspension, frequency)
+    if forces.site is not None:
+        lines.append(("Site", _site(forces.site)))
+    if forces.drag is not None:
+        lines.append(("Drag", _drag(forces.drag, frequency)))
+    if forces.suspension is not None:
+        parts = _suspension(forces.suspension, frequency)
         lines += zip(("Suspension", ""), parts, strict=False)
-    if setup.bob is not None:
-        lines.append(("Bob", _bob(setup.bob)))
-    if setup.drive is not None:
-        lines.append(("Drive", _drive(setup.drive)))
+    if forces.bob is not None:
+        lines.append(("Bob", _bob(forces.bob)))
+    if forces.drive is not None:
+        lines.append(("Drive", _drive(forces.drive)))
     return lines
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Iterable
 from typing import Any, ClassVar
 
 import numpy as np
@@ -13,7 +12,7 @@ from kugelpendel import _core
 from kugelpendel.motion._base import Motion
 from kugelpendel.motion._kept import kept
 from kugelpendel.motion._times import checked_grid, checked_times, motion_shape
-from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars
+from kugelpendel.parameters import Launch, Numbers, Pendulum, Scalars, column, require_given
 
 
 class HarmonicMotion(Motion):
@@ -27,23 +26,21 @@ class HarmonicMotion(Motion):
     _law: ClassVar[str]
 
     def __init__(self, pendulum: Pendulum, launch: Launch):
+        require_given(type(self).__name__, pendulum, launch)
         self._pendulum = pendulum
         self._launch = launch
         self._shape = motion_shape(pendulum, launch)
         self._motions = _core.HarmonicMotions(
             self._count,
-            [self._column(value) for value in pendulum.values],
+            [column(value, self._shape) for value in pendulum.values],
             launch.kind,
-            [self._column(value) for value in launch.values],
+            launch.columns(self._shape),
             self._law,
         )
         self._refuse_bad()
 
     def _arguments(self) -> dict[str, Any]:
         return {"pendulum": self._pendulum, "launch": self._launch}
-
-    def _problems(self) -> Iterable[tuple[int, str]]:
-        return self._motions.problems()
 
     @property
     def pendulum(self) -> Pendulum:
@@ -104,11 +101,3 @@ class HarmonicMotion(Motion):
         self, kind: str, value: float, between: tuple[float, float], most: int
     ) -> Numbers:
         return self._motions.events(kind, value, between, most)
-
-    def _refuse_bad(self) -> None:
-        try:
-            super()._refuse_bad()
-        except InvalidInput as error:
-            raise InvalidInput(
-                str(error).replace("This approximation", type(self).__name__, 1)
-            ) from None

@@ -11,7 +11,7 @@ from kugelpendel import _core
 from kugelpendel.motion._exact import ExactMotion
 from kugelpendel.motion._kept import kept
 from kugelpendel.motion._walk import SteppedMotion
-from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, Scalars
+from kugelpendel.parameters import Launch, Numbers, Pendulum, Scalars, column
 
 
 class IntegratedMotion(SteppedMotion):
@@ -24,18 +24,14 @@ class IntegratedMotion(SteppedMotion):
     _equation: ClassVar[str]
 
     def __init__(self, pendulum: Pendulum, launch: Launch):
-        self._exact = exact = ExactMotion(pendulum, launch)
-        if exact.shape == () and not (height := exact.position(0.0)[2]) > 0:
-            raise InvalidInput(
-                f"{type(self).__name__} starts on the lower half of the sphere, but this launch "
-                f"lies {-height:.6g} m above the support; use ExactMotion."
-            )
+        self._exact = ExactMotion(pendulum, launch)
         self._motions = _core.IntegratedMotions(
             self._count,
-            [self._column(value) for value in pendulum.values],
-            (launch.kind, [self._column(value) for value in launch.values]),
+            [column(value, self.shape) for value in pendulum.values],
+            (launch.kind, launch.columns(self.shape)),
             self._equation,
         )
+        self._refuse_bad()
 
     def _arguments(self) -> dict[str, Any]:
         return {"pendulum": self.pendulum, "launch": self.launch}
@@ -43,8 +39,7 @@ class IntegratedMotion(SteppedMotion):
     @kept
     def _rates(self) -> tuple[Scalars, Scalars]:
         rates = np.full((self._count, 2), np.nan)
-        bad = {index for index, _ in self._problems()}
-        for index in sorted(set(range(self._count)) - bad):
+        for index in np.flatnonzero(self.status.ravel() == 0).tolist():
             motion = self[np.unravel_index(index, self.shape)] if self.shape else self
             half_swing = float(motion._exact.radial_period)
             found = _core.measured_rates(motion._states, half_swing)
@@ -94,7 +89,7 @@ class IntegratedMotion(SteppedMotion):
     @kept
     def _ends(self) -> tuple[float, float]:
         # Radially both laws are periodic, with nearly the exact period: what ends, ends soon.
-        return self._span_within(2 * np.minimum(self._column(self._exact.radial_period), 1e3))
+        return self._span_within(2 * np.minimum(column(self._exact.radial_period, self.shape), 1e3))
 
     @property
     @abstractmethod
@@ -104,9 +99,5 @@ class IntegratedMotion(SteppedMotion):
     def _check_times(self, times: Numbers) -> None:
         """All times are good: these motions can be followed backwards too."""
 
-    def _end_sentence(self, end: float, why: str, times: Numbers) -> str:
-        return (
-            f"{type(self).__name__} ends at {end:.6g} s, where the bob reaches the height of the "
-            f"support; asked for are times from {times.min():.6g} s to {times.max():.6g} s. Keep "
-            f"to its span, or use ExactMotion."
-        )
+    def _ended(self, why: str) -> tuple[str, dict[str, str]]:
+        return "level_with_support", {"motion": type(self).__name__}

@@ -12,8 +12,9 @@ from collections.abc import Callable
 import mujoco
 import numpy as np
 import numpy.typing as npt
-from cartesian import GRAVITY, LENGTH, OMEGA, A, B
-from turning_points import Path
+
+from contenders.cartesian import GRAVITY, LENGTH, OMEGA, A, B
+from contenders.turning_points import Path
 
 STEP = 1e-3  # s: ours to choose; a two-thousandth of a period
 INERTIA = 1e-6  # kg m², of a mass of 1 kg

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from math import cos, pi, sin, sqrt
 from random import Random
 
-from .launch import Case
+from references.launch import Case
 
 SEED = 20261123
 SHORT = (0.0, 0.17, 1.31, 4.9, 12.4)

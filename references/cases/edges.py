@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from math import cos, nextafter, pi, sqrt
 
-from .launch import Case
-from .regimes import LONG, SHORT, times
+from references.cases.regimes import LONG, SHORT, times
+from references.launch import Case
 
 G = 9.80665
 

@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from math import nextafter, pi, sqrt
 
-from .launch import Case
-from .regimes import LONG, SHORT, ellipse, times
+from references.cases.regimes import LONG, SHORT, ellipse, times
+from references.launch import Case
 
 G = 9.80665
 

@@ -1,0 +1,91 @@
+"""The sentences, in the language and for the door that are asked for."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Sequence
+from functools import cache
+from importlib.resources import files
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from kugelpendel.errors._types import Door, Language, Seen
+
+_EXACT = ("pendulum", "")
+"""Parts whose values are shown to the last digit, as the exact motion takes them so.
+
+What acts on a real pendulum is shown to six digits.
+"""
+
+
+class _Number(float):
+    """A number that is written in full where nothing else is asked for."""
+
+    def __format__(self, spec: str) -> str:
+        return format(float(self), spec) if spec else _in_full(self)
+
+
+def sentence(kind: str, values: Sequence[Seen], language: Language, door: Door) -> str:
+    """The sentence of a kind with its values filled in.
+
+    Parameters
+    ----------
+    kind
+        Of the core or of the Python side.
+    values
+        Under their names; the first of them is also there as name, value and unit, and with the
+        spoken name and the way out of its quantity.
+    language, door
+        Which of the four sentences.
+    """
+    tables = read(language)
+    entry = tables["kinds"][kind]
+    filled: dict[str, Any] = {}
+    for seen in reversed(values):
+        value = _spoken(seen.value, tables) if isinstance(seen.value, str) else _Number(seen.value)
+        filled |= {"name": seen.name, "value": value, "unit": seen.unit}
+        filled[seen.name.replace(".", "_")] = value
+    if values:
+        filled |= _quantity(tables["quantities"], values[0], door)
+    return " ".join(entry.get(door, entry["python"]).format_map(filled).split())
+
+
+def _spoken(text: str, tables: dict[str, Any]) -> str:
+    """The spoken name where the text is that of a quantity."""
+    if text in tables["quantities"]:
+        return tables["quantities"][text]["name"]
+    part, _, name = text.partition(".")
+    return tables["launch"].format(name=name) if part == "launch" and name else text
+
+
+def _quantity(quantities: dict[str, dict[str, str]], seen: Seen, door: Door) -> dict[str, str]:
+    """Spoken name, value with its unit and way out of what has an entry of its own."""
+    entry = quantities.get(seen.name)
+    if entry is None or isinstance(seen.value, str):
+        return {}
+    part = seen.name.rpartition(".")[0]
+    shown = _in_full(seen.value) if part in _EXACT else f"{seen.value:.6g}"
+    return {
+        "spoken": entry["name"],
+        "shown": f"{shown} {seen.unit}".rstrip(),
+        "way_out": entry.get(door, entry["python"]),
+    }
+
+
+@cache
+def read(language: Language) -> dict[str, Any]:
+    """The tables of one language."""
+    text = files("kugelpendel.errors").joinpath("sentences", f"{language}.toml")
+    return tomllib.loads(text.read_text(encoding="utf-8"))
+
+
+def _in_full(value: float) -> str:
+    """All digits, without an exponent where that is readable."""
+    if value != value:
+        return "NaN"
+    text = repr(float(value)).removesuffix(".0")
+    if "e" in text and 1e-9 <= abs(value) < 1e16:
+        digits = len(text.partition("e")[0].lstrip("-").replace(".", ""))
+        exponent = int(text.partition("e")[2])
+        text = f"{value:.{max(0, digits - 1 - exponent)}f}"
+    return text

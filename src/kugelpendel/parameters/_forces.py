@@ -1,0 +1,188 @@
+"""Everything that acts on a pendulum beside gravity and its thread."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import Any, TypedDict
+
+import numpy as np
+
+from kugelpendel.errors import InvalidInput
+from kugelpendel.parameters._bob import Bob
+from kugelpendel.parameters._drag import Drag
+from kugelpendel.parameters._drive import Drive
+from kugelpendel.parameters._given import LONGEST, Given
+from kugelpendel.parameters._launch import Launch
+from kugelpendel.parameters._numbers import Numbers, Scalars
+from kugelpendel.parameters._pendulum import Pendulum
+from kugelpendel.parameters._site import Site
+from kugelpendel.parameters._suspension import Suspension
+
+
+class ForceParts(TypedDict, total=False):
+    """The parts of `Forces` as keywords of a motion."""
+
+    site: Site | None
+    drag: Drag | None
+    suspension: Suspension | None
+    bob: Bob | None
+    drive: Drive | None
+
+
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Forces:
+    """What acts on a pendulum: one object for all of it; None for what is not there.
+
+    Parameters
+    ----------
+    site
+        Where it hangs: the ground turns, and x is east and y north.
+    drag
+        Of the air.
+    suspension
+        What it lacks in symmetry, and its own damping.
+    bob
+        Its size: buoyancy, air carried along and moments of inertia change the gravity that acts.
+    drive
+        A push in every half swing.
+
+    Raises
+    ------
+    InvalidInput
+        For a part of another type, and for shapes that do not broadcast.
+    """
+
+    site: Site | None = None
+    drag: Drag | None = None
+    suspension: Suspension | None = None
+    bob: Bob | None = None
+    drive: Drive | None = None
+
+    def __post_init__(self) -> None:
+        for name, part in self.parts.items():
+            if getattr(part, "part", None) != name:
+                raise InvalidInput.of(
+                    "wrong_type",
+                    what=name,
+                    wanted=f"kugelpendel.{name.capitalize()}",
+                    seen=_named_type(part),
+                    way_out=f"write {name}=kp.{name.capitalize()}(…)",
+                )
+        try:
+            _ = self.shape
+        except ValueError:
+            raise unfit_parts(*self.parts.values()) from None
+
+    @property
+    def parts(self) -> dict[str, Given]:
+        """Those that are there, by their names."""
+        given: dict[str, Given | None] = {f.name: getattr(self, f.name) for f in fields(self)}
+        return {name: part for name, part in given.items() if part is not None}
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Of the ensemble; () where everything is one number."""
+        return np.broadcast_shapes(*(part.shape for part in self.parts.values()))
+
+    @property
+    def acts(self) -> bool:
+        """Whether anything acts that the ideal pendulum does without.
+
+        A bob alone changes the gravity of the ideal pendulum, and nothing else.
+        """
+        strengths: list[Scalars] = []
+        if self.drag is not None:
+            strengths += self.drag.values
+        if self.suspension is not None:
+            strengths += (self.suspension.anisotropy, self.suspension.damping_anisotropy)
+        if self.drive is not None:
+            strengths += (self.drive.push,)
+        return self.site is not None or any(np.any(np.asarray(s) != 0) for s in strengths)
+
+    def effective_pendulum(self, pendulum: Pendulum) -> Pendulum:
+        """The point mass that moves like this bob: its gravity takes in buoyancy and inertia.
+
+        Its weight is that of the bob, so that the thread's pull is right but for buoyancy. Raises
+        InvalidInput for a single bob that does not fit the pendulum; in an ensemble such a case
+        is NaN.
+        """
+        if self.bob is None:
+            return pendulum
+        length, gravity, mass = pendulum.values
+        factor = self.bob.gravity_factor(length)
+        return Pendulum(length, np.multiply(gravity, factor), np.divide(mass, factor))
+
+    def columns(self, shape: tuple[int, ...]) -> dict[str, Numbers]:
+        """What the core takes for an ensemble of this shape, by the names that it has."""
+        columns: dict[str, Numbers] = {}
+        for part in self.parts.values():
+            columns |= part.columns(shape)
+        return columns
+
+    def __repr__(self) -> str:
+        text = f"Forces({', '.join(f'{name}={part!r}' for name, part in self.parts.items())})"
+        return text if len(text) <= LONGEST else f"{text[: LONGEST - 2]}…)"
+
+
+def gathered(what: str, forces: Any, parts: ForceParts) -> Forces:
+    """What acts on a motion, given as one object or by its parts.
+
+    Parameters
+    ----------
+    what
+        The name of the motion, for sentences.
+    forces
+        `Forces`, or None.
+    parts
+        By the names of `ForceParts`.
+
+    Raises
+    ------
+    InvalidInput
+        For both at once, for something else in place of forces, and for unknown parts.
+    """
+    known = [field.name for field in fields(Forces)]
+    unknown = [name for name in parts if name not in known]
+    if unknown:
+        listed = ", ".join(known)
+        raise InvalidInput.of("unknown_part", what=what, seen=unknown[0], known=listed)
+    if forces is None:
+        return Forces(**parts)
+    if not isinstance(forces, Forces):
+        raise InvalidInput.of(
+            "wrong_type",
+            what="forces",
+            wanted="kugelpendel.Forces",
+            seen=_named_type(forces),
+            way_out="write kp.Forces(drag=…)",
+        )
+    given = [name for name, part in parts.items() if part is not None]
+    if given:
+        raise InvalidInput.of("parts_twice", seen=", ".join(given))
+    return forces
+
+
+def unfit_parts(*parts: Any) -> InvalidInput:
+    """What to raise where the shapes of parts do not broadcast."""
+    shapes = ", ".join(f"{type(part).__name__} {part.shape}" for part in parts)
+    return InvalidInput.of("shapes", names="what was given", shapes=shapes)
+
+
+def _named_type(part: object) -> str:
+    return f"{part!r:.60} of type {type(part).__name__}"
+
+
+def require_given(motion: str, pendulum: Any, launch: Any) -> None:
+    """Raise InvalidInput unless a motion is given a pendulum and a launch, in this order."""
+    if isinstance(pendulum, Pendulum) and isinstance(launch, Launch):
+        return
+    swapped = isinstance(pendulum, Launch) and isinstance(launch, Pendulum)
+    wrong, wanted = (pendulum, Pendulum) if not isinstance(pendulum, Pendulum) else (launch, Launch)
+    call = f"kp.{motion}(kp.Pendulum(length), kp.Launch.ellipse(a, b))"
+    raise InvalidInput.of(
+        "wrong_type",
+        what=f"The {wanted.__name__.lower()} of {motion}",
+        wanted=f"kugelpendel.{wanted.__name__}",
+        seen=_named_type(wrong),
+        way_out=f"the pendulum comes first: {call}" if swapped else f"write {call}",
+    )
