@@ -1,8 +1,8 @@
 from . import olsson as olsson
 from . import series as series
-from .builder import Answer as Answer
-from .builder import Check as Check
 from .builder import Design as Design
+from .builder import DesignAnswer as DesignAnswer
+from .builder import DesignCheck as DesignCheck
 from .builder import design as design
 from .citation import cite as cite
 from .errors import EventNotFound as EventNotFound
@@ -17,13 +17,14 @@ from .motion import LinearMotion as LinearMotion
 from .motion import Motion as Motion
 from .motion import OlssonMotion as OlssonMotion
 from .motion import PlaneMotion as PlaneMotion
+from .motion import PrecessionBudget as PrecessionBudget
 from .motion import RealMotion as RealMotion
 from .motion import SeriesMotion as SeriesMotion
 from .motion import Spectrum as Spectrum
-from .motion import TurningRates as TurningRates
 from .observables import Comparison as Comparison
 from .observables import Ellipse as Ellipse
 from .observables import IdealSummary as IdealSummary
+from .observables import Portrait as Portrait
 from .observables import Rates as Rates
 from .observables import Validity as Validity
 from .observables import ValidityMap as ValidityMap
@@ -45,12 +46,12 @@ from .parameters import Wire as Wire
 __version__: str
 
 __all__ = [
-    "Answer",
     "Bob",
-    "Check",
     "Comparison",
     "CubicMotion",
     "Design",
+    "DesignAnswer",
+    "DesignCheck",
     "Drag",
     "Drive",
     "Ellipse",
@@ -69,13 +70,14 @@ __all__ = [
     "OlssonMotion",
     "Pendulum",
     "PlaneMotion",
+    "Portrait",
+    "PrecessionBudget",
     "Rates",
     "RealMotion",
     "SeriesMotion",
     "Site",
     "Spectrum",
     "Suspension",
-    "TurningRates",
     "Validity",
     "ValidityMap",
     "Wire",

@@ -10,7 +10,7 @@ import pytest
 
 from kugelpendel.cli.job_file.job import Job, read_job
 from kugelpendel.cli.run.real import averaged_motion, real_motion
-from kugelpendel.observables import Shares
+from kugelpendel.motion import PrecessionBudget
 
 REAL = ["guelph", "museum", "pantheon-day", "short", "short-remedy"]
 IDEAL = ["cone", "laboratory", "over-the-top", "pantheon"]
@@ -48,11 +48,11 @@ def test_real_example_runs(call, repository: Path, tmp_path: Path, name: str) ->
 
 
 @pytest.fixture(params=REAL)
-def story(request: pytest.FixtureRequest, repository: Path) -> tuple[str, Job, Shares]:
+def story(request: pytest.FixtureRequest, repository: Path) -> tuple[str, Job, PrecessionBudget]:
     """A real example, and what turns its plane."""
     job = read_job(repository / "examples" / f"{request.param}.toml")
     times = np.linspace(0.0, job.grid.duration, 4001)
-    return request.param, job, Shares.of(averaged_motion(job), times)
+    return request.param, job, averaged_motion(job).rates(times)
 
 
 def test_full_equations_end_where_the_averaged_ones_do(story) -> None:
@@ -76,7 +76,7 @@ def _hourly(rates: np.ndarray) -> np.ndarray:
     return np.degrees(rates) * 3600
 
 
-def _pantheon_day(job: Job, shares: Shares) -> None:
+def _pantheon_day(job: Job, shares: PrecessionBudget) -> None:
     assert _hourly(shares.earth)[0] == pytest.approx(-11.325, abs=1e-3)
     off = np.degrees(shares.azimuth) - _hourly(shares.earth) * shares.times / 3600
     assert -3 < off[-1] < -1.5  # "but for two degrees"
@@ -87,7 +87,7 @@ def _pantheon_day(job: Job, shares: Shares) -> None:
     assert 0.03 < np.abs(b).max() < 0.04  # "a few centimetres wide"
 
 
-def _museum(job: Job, shares: Shares) -> None:
+def _museum(job: Job, shares: PrecessionBudget) -> None:
     odd = [(stretch.pace, stretch.cause) for stretch in shares.stretches() if stretch.cause]
     assert odd == [("hurries", "damping"), ("lags", "damping")]
     assert np.abs(shares.intrinsic + shares.drive).max() < 0.1 * np.abs(shares.intrinsic).max()
@@ -95,7 +95,7 @@ def _museum(job: Job, shares: Shares) -> None:
     assert np.abs(a / 0.8 - 1).max() < 0.03
 
 
-def _short(job: Job, shares: Shares) -> None:
+def _short(job: Job, shares: PrecessionBudget) -> None:
     two_hours = np.searchsorted(shares.times, 2.5 * 3600)
     assert shares.stretches()[-1].pace == "stalls"
     assert np.abs(_hourly(shares.total[two_hours:])).max() < 1
@@ -105,7 +105,7 @@ def _short(job: Job, shares: Shares) -> None:
     assert b[-1] == pytest.approx(0.53e-3, rel=0.03)  # "the half millimetre"
 
 
-def _short_remedy(job: Job, shares: Shares) -> None:
+def _short_remedy(job: Job, shares: PrecessionBudget) -> None:
     suspension = read_job(job.file.with_name("short.toml")).forces.suspension
     assert job.forces.suspension == suspension  # "in the same clamp"
     assert np.abs(shares.beyond_earth).max() < 0.02 * abs(shares.earth[0])
@@ -114,7 +114,7 @@ def _short_remedy(job: Job, shares: Shares) -> None:
     assert set(shares.pace) <= {"hurries", "lags", "as it should"}
 
 
-def _guelph(job: Job, shares: Shares) -> None:
+def _guelph(job: Job, shares: PrecessionBudget) -> None:
     settled = shares.times > 5 * 3600
     speed, times = -_hourly(shares.total[settled]), shares.times[settled] / 3600
     # Published: 9.5 to 11, mean 10.38, over 8 to 9 h.

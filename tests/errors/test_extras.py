@@ -63,6 +63,9 @@ def test_all_that_is_missing_is_named_at_once(monkeypatch: pytest.MonkeyPatch) -
         (["matplotlib"], "import kugelpendel.plot; kugelpendel.plot.overview",
          "matplotlib is not installed, and kugelpendel.plot needs it: python -m pip install "
          "'kugelpendel[run]'"),
+        (["markdown_it"], "import kugelpendel.paper; kugelpendel.paper.write",
+         "markdown-it-py is not installed, and kugelpendel.paper needs it: python -m pip install "
+         "'kugelpendel[paper]'"),
         (["sympy", "mpmath"], "import kugelpendel.paper; kugelpendel.paper.formula",
          "mpmath and sympy are not installed, and kugelpendel.paper needs them: python -m pip "
          "install 'kugelpendel[paper]'"),

@@ -84,7 +84,7 @@ def test_page(opened: webdriver.Chrome) -> None:
         "const right = document.querySelector('main').getBoundingClientRect().right + 1;"
         "return [...document.querySelectorAll('main *')].filter(element =>"
         "  element.getBoundingClientRect().right > right &&"
-        "  !element.closest('.formula, .picture, .table, .scroll')"
+        "  !element.closest('.formula, .picture, .table')"
         ").map(element => element.outerHTML.slice(0, 120))"
     )
     assert leaking == []
@@ -92,7 +92,7 @@ def test_page(opened: webdriver.Chrome) -> None:
     assert opened.execute_script(count) > 60
     opened.find_element(By.CSS_SELECTOR, 'button[data-open="no"]').click()
     assert opened.execute_script(count) == 0
-    first = opened.find_element(By.CSS_SELECTOR, "article details summary")
+    first = opened.find_element(By.CSS_SELECTOR, ".display details summary")
     first.click()
     assert opened.execute_script(count) == 1
     first.click()
@@ -121,3 +121,35 @@ def test_formulas_are_drawn_as_mathematics(opened: webdriver.Chrome) -> None:
         "return [height('#eq-25 mfrac'), height('#eq-3 mi')]"
     )
     assert heights[0] > 1.5 * heights[1] > 0
+
+
+def test_no_line_begins_with_the_sign_after_a_formula(opened: webdriver.Chrome) -> None:
+    opened.find_element(By.CSS_SELECTOR, 'button[data-open="yes"]').click()
+    counts = opened.execute_script(
+        "const glued = [...document.querySelectorAll('main .glued')];"
+        "return [glued.length, glued.filter(one => one.getClientRects().length > 1).length]"
+    )
+    assert counts[0] > 100
+    assert counts[1] == 0
+
+
+def test_formulas_stay_in_their_column(opened: webdriver.Chrome) -> None:
+    """On a wide page; a narrow one shows tables as lists."""
+    over = opened.execute_script(
+        "return [...document.querySelectorAll('main td')].filter(cell =>"
+        "  [...cell.querySelectorAll('math')].some(math =>"
+        "    math.getBoundingClientRect().right > cell.getBoundingClientRect().right + 1)"
+        ").map(cell => cell.textContent)"
+    )
+    assert over == []
+
+
+def test_few_formulas_need_to_be_scrolled(opened: webdriver.Chrome) -> None:
+    opened.find_element(By.CSS_SELECTOR, 'button[data-open="yes"]').click()
+    over = opened.execute_script(
+        "return [...document.querySelectorAll('main .formula')].map(formula =>"
+        "  formula.scrollWidth - formula.clientWidth).filter(hidden => hidden > 0)"
+    )
+    is_narrow = opened.execute_script("return innerWidth < 500")
+    assert len(over) <= (5 if is_narrow else 0)
+    assert all(hidden < 40 for hidden in over)

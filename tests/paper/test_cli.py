@@ -1,5 +1,6 @@
 """``kugelpendel derive``: documents, proofs, misprints, and what it refuses."""
 
+import json
 import os
 import subprocess
 import sys
@@ -12,6 +13,7 @@ from kugelpendel import paper
 from kugelpendel.cli import main
 from kugelpendel.cli.derive.check import table
 from kugelpendel.cli.derive.command import known_language, nearest
+from kugelpendel.paper.document.prose import sentence
 
 
 class Outcome:
@@ -77,6 +79,9 @@ def test_markdown_without_a_file(call: Any) -> None:
         (["--check", "--out", "a.txt"], "leave out --out."),
         (["3", "--misprints", "--format", "md"], "leave out --format and the equation."),
         (["--check", "7"], "no equation '7'"),
+        (["--json"], "--json prints what --check or --misprints finds; add one of them"),
+        (["3", "--json", "--format", "md"], "choose the form of the derivation by --format"),
+        (["3", "--out", "~nobody-of-that-name/a.md"], "there is no user of that name; write ~ "),
     ],
 )
 def test_bad_input(call: Any, tmp_path: Path, arguments: list[str], sentence: str) -> None:
@@ -131,6 +136,43 @@ def test_misprints_are_listed(call: Any, language: str) -> None:
     assert "x/l⁴" in outcome.out
 
 
+@pytest.mark.parametrize("language", ["de", "en"])
+def test_misprints_as_json(call: Any, language: str) -> None:
+    outcome = call("--misprints", "--json", "--lang", language)
+    assert outcome.code == 0
+    found = json.loads(outcome.out)
+    assert [one["key"] for one in found] == [one.key for one in paper.MISPRINTS]
+    (one,) = [one for one in found if one["key"] == "length-power-in-12"]
+    assert one["where"] == "12"
+    assert one["printed"] != one["right"]
+    assert "l⁴" in one["explanation"]
+    assert one["explanation"] == sentence(paper.words(language).misprint("length-power-in-12"))
+    shown = [one for one in paper.MISPRINTS if paper.counterexample(one.key) is not None]
+    assert {one["key"] for one in found if one["counterexample"]} == {one.key for one in shown}
+
+
+def test_check_as_json(call: Any) -> None:
+    outcome = call("3", "--check", "--json")
+    assert outcome.code == 0
+    found = json.loads(outcome.out)
+    assert found["holds"] is True
+    assert [one["label"] for one in found["formulas"]] == ["2:x", "2:y", "2:z", "3"]
+    for one in found["formulas"]:
+        assert one["symbolic"] is one["numeric"] is one["holds"] is True
+        assert one["mutants"] == one["killed"] + one["equal"] > 2
+
+
+def test_a_file_in_the_users_own_folder(
+    call: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    monkeypatch.setenv("USERPROFILE", str(tmp_path / "home"))
+    (tmp_path / "home").mkdir()
+    assert call("3", "--out", "~/a.md").code == 0
+    assert (tmp_path / "home" / "a.md").is_file()
+    assert not (tmp_path / "~").exists()
+
+
 def test_check_of_what_leads_to_one_equation(call: Any) -> None:
     outcome = call("3", "--check", "--lang", "en")
     assert outcome.code == 0
@@ -157,6 +199,9 @@ def test_a_failure_is_shown_and_is_the_exit_code(
 
     monkeypatch.setattr(paper, "check", check, raising=False)
     assert call("--check").code == 1
+    outcome = call("--check", "--json")
+    assert outcome.code == 1
+    assert json.loads(outcome.out)["holds"] is False
 
 
 @pytest.mark.parametrize("arguments", [["--help"], ["derive", "--help"]])
@@ -174,12 +219,15 @@ def test_help_imports_nothing_heavy(arguments: list[str]) -> None:
     done = subprocess.run(
         [sys.executable, "-c", program], capture_output=True, text=True, check=True, env=environment
     )
-    assert not set(done.stderr.split()) & {"sympy", "mpmath", "numpy", "rich"}
+    assert not set(done.stderr.split()) & {"sympy", "mpmath", "numpy", "rich", "markdown_it"}
     assert "derive" in done.stdout
 
 
 def test_missing_extra_is_a_sentence(call: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "kugelpendel.cli.derive.command", None)
+    for name in ("sympy", "markdown_it"):
+        monkeypatch.setitem(sys.modules, name, None)
     outcome = call("3")
     assert outcome.code == 2
+    assert "markdown-it-py and sympy are not installed" in outcome.err
     assert "python -m pip install 'kugelpendel[paper]'" in outcome.err

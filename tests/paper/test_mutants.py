@@ -5,9 +5,9 @@ import random
 import pytest
 
 from kugelpendel import paper
+from kugelpendel.paper.checks.mutants import mutants
 from kugelpendel.paper.checks.run import says_the_same, verdict
 from kugelpendel.paper.derivation.graph import premises
-from kugelpendel.paper.proofs.mutants import mutants
 
 LABELS = [formula.label for formula in paper.FORMULAS]
 

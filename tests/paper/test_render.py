@@ -9,11 +9,15 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
+from matplotlib import rc_context
+from matplotlib.font_manager import FontProperties
+from matplotlib.mathtext import MathTextParser
 
 from kugelpendel import paper
 from kugelpendel.paper.typeset import latex, mathml, unicode
+from kugelpendel.paper.typeset.breaks import lines, pieces, width
 from kugelpendel.paper.typeset.difference import difference
-from kugelpendel.paper.typeset.tex import Marked, Row, UnknownTeX, read
+from kugelpendel.paper.typeset.tex import Marked, MathList, UnknownTeX, read
 
 LANGUAGES = ("de", "en")
 FORMS = ("html", "md", "latex", "text")
@@ -70,7 +74,7 @@ def test_misprints_are_marked_in_place(language: str) -> None:
             assert _marks(right) or _marks(difference(formula.printed, formula.right)[0])
 
 
-def _marks(row: Row) -> int:
+def _marks(row: MathList) -> int:
     return repr(row).count(Marked.__name__)
 
 
@@ -146,7 +150,9 @@ def test_formulas_are_written_as_they_were_read() -> None:
 
 
 def test_what_is_not_known_is_refused() -> None:
-    for text in (r"\frac{a}{b", r"a}", r"\unknown{a}", r"(a", r"\begin{cases}a\end{cases}"):
+    unknown = (r"\frac{a}{b", r"a}", r"\unknown{a}", r"(a", r"\begin{cases}a\end{cases}")
+    ambiguous = ("a^12", r"\frac12", r"\sqrt12", "a^2^3", "a_1_2")
+    for text in (*unknown, *ambiguous):
         with pytest.raises(UnknownTeX):
             read(text)
 
@@ -156,6 +162,19 @@ def test_plain_formulas() -> None:
     assert unicode.plain(r"\ddot{\theta} - \dot{\phi}^2 \sin \theta") == "θ̈ − φ̇² sin θ"
     assert unicode.plain(r"\frac{1}{8l^2} \frac{d}{dt} \dot{x}") == "1/(8l²) d/dt ẋ"
     assert unicode.plain(r"-\sqrt{1 - \frac{\rho^2}{l^2}}") == "−√(1 − ρ²/l²)"
+
+
+def test_an_exponent_stands_beside_a_dot_marked_or_not() -> None:
+    printed, _ = difference(r"\dot{\theta}^2", r"\dot{\phi}^2")
+    for formula in (mathml.written(printed), mathml.display(r"\dot{\theta}^2")):
+        assert formula.count("<mpadded") == formula.count("<msup>") == 1
+
+
+def test_a_bracket_within_a_bracket_is_opened_on_a_narrow_page() -> None:
+    row = read(r"\frac{a}{b} [\frac{1}{a} \{aaaaaaaaa + bbbbbbbbb\}]")
+    assert len(pieces(row.items)) == 2
+    assert len(pieces(row.items, 99)) == 1
+    assert all(width(MathList(line)) < 16 for line in lines(row.items, 16))
 
 
 def test_differences_are_small() -> None:
@@ -177,6 +196,8 @@ def test_latex_is_sound(language: str, tmp_path: Path) -> None:
     assert opened == []
     plain = re.sub(r"\\[{}]", "", text)
     assert plain.count("{") == plain.count("}")
+    # T1 has these; a Greek letter or a raised number would stop LaTeX
+    assert {sign for sign in text if ord(sign) > 255} <= set("–—‘’‚“”„")
     (tmp_path / "derivation.tex").write_text(text, encoding="utf-8")
     program = shutil.which("pdflatex")
     if program is not None:  # a TeX installation is too large to ask for
@@ -185,12 +206,63 @@ def test_latex_is_sound(language: str, tmp_path: Path) -> None:
         assert done.returncode == 0, done.stdout.decode("latin-1")[-2000:]
 
 
+PAGE, MARGIN = 455.2, 27.4  # pt: a line of A4 less 2.5 cm on either side, and that of a quotation
+
+
+@cache
+def set_width(source: str) -> float:
+    """Width in pt as TeX sets it in Computer Modern at 11 pt, a little over where it is not known.
+
+    matplotlib knows TeX's fonts and spaces, but neither boxes nor columns.
+    """
+    for column in re.findall(r"\\begin\{pmatrix\}(.*?)\\end\{pmatrix\}", source):
+        widest = max(column.split(r"\\"), key=set_width)
+        source = source.replace(
+            rf"\begin{{pmatrix}}{column}\end{{pmatrix}}", rf"\quad ({widest}) \quad", 1
+        )
+    boxes = source.count(r"\boxed")
+    plain = source.replace(r"\boxed", "").replace(r"\frac", r"\dfrac")
+    plain = re.sub(r"\\(left|right|(big|Bigg)[lr])(?![a-z])", " ", plain)
+    with rc_context({"mathtext.fontset": "cm"}):
+        box = MathTextParser("path").parse(f"${plain}$", 72, FontProperties(size=10.95))
+    brackets = source.count(r"\left") + source.count(r"\Bigg")  # wider, or with space around them
+    return float(box[0]) + 6.8 * boxes + 4 * brackets
+
+
+def unbreakable(formula: str) -> list[str]:
+    """What TeX cannot break within a sentence: it ends a line after a sign outside of braces."""
+    parts, depth = [""], 0
+    for token in re.findall(r"\\[A-Za-z]+|\\.|.", formula):
+        depth += (token == "{") - (token == "}")
+        parts[-1] += token
+        if depth == 0 and token in ("+", "-", "=", r"\cdot", r"\approx", r"\ll", r"\times"):
+            parts.append("")
+    return [part.strip() for part in parts if part.strip()]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_no_line_of_latex_is_wider_than_the_page(language: str) -> None:
+    text = document(language, "latex")
+    shown = re.findall(r"\\begin\{equation\*\}\n(.*?)\n\\end\{equation\*\}", text, re.DOTALL)
+    assert len(shown) > len(paper.FORMULAS)
+    boxed = re.findall(r"\\begin\{misprint\}(.*?)\\end\{misprint\}", text, re.DOTALL)
+    for formula in shown:
+        room = PAGE - 2 * MARGIN if any(formula in one for one in boxed) else PAGE
+        bare = re.sub(r"\\tag\{[^}]*\}|\\(begin|end)\{aligned\}|&|\{\}", "", formula)
+        for line in bare.split("\\\\\n"):
+            assert set_width(line.strip()) < room, line
+    for formula in set(re.findall(r"(?<!\\)\$(\\?[A-Za-z(|=+\-][^$]*)\$", text)):
+        for part in [formula] if "pmatrix" in formula else unbreakable(formula):
+            assert set_width(part) < PAGE / 2, part
+
+
 def test_markdown_opens_and_closes() -> None:
     text = document("en", "md")
     assert text.count("```") % 2 == 0
-    assert text.count("<details>") == text.count("</details>") > 50
+    for element in ("details", "div", "blockquote"):
+        assert text.count(f"<{element} ") == text.count(f"</{element}>") > 20
     linked = set(re.findall(r"\]\(#([^)]+)\)", text))
-    assert linked <= set(re.findall(r'<a id="([^"]+)">', text))
+    assert linked <= set(re.findall(r'<div [^>]*id="([^"]+)"', text))
 
 
 @pytest.mark.parametrize("form", FORMS)

@@ -128,6 +128,12 @@ def test_one_object_is_as_good_as_its_parts(motion: Any) -> None:
         (lambda: NO.ExactMotion(PENDULUM, 0.1), "The launch of ExactMotion must be .* it is 0.1"),
         (lambda: NO.EnvelopeMotion(PENDULUM, None), "launch of EnvelopeMotion must be a"),
         (lambda: NO.LinearMotion(LAUNCH, PENDULUM), "pendulum comes first"),
+        (lambda: NO.design(1.0, 0.1), r"^The pendulum must be .* 1.0 of type float; write kp.Pen"),
+        (lambda: NO.Drag.from_quality(800, 1.0), "^The pendulum must be a kugelpendel.Pendulum, b"),
+        (lambda: NO.Drag.from_bob(PENDULUM, PENDULUM), "^The bob must be a kugelpendel.Bob, but"),
+        (lambda: NO.RealMotion(PENDULUM, LAUNCH, thread=["rod"]), r"thread must be .* \['rod'\]"),
+        (lambda: NO.RealMotion(PENDULUM, LAUNCH).events(np.array(["outer"]), 0, 1), "event must b"),
+        (lambda: NO.series.radius(0.1, np.array(["radii"])), "variables of the series must be"),
     ],
 )  # fmt: skip
 def test_what_is_of_another_type(call: Any, said: str) -> None:

@@ -11,7 +11,8 @@ from numpy.testing import assert_allclose
 
 import kugelpendel as kp
 from kugelpendel import plot
-from kugelpendel.observables import Apsides, Shares
+from kugelpendel.motion import PrecessionBudget
+from kugelpendel.observables import Apsides
 
 SITE = kp.Site(math.radians(48.0))
 PENDULUM = kp.Pendulum(20.0, float(SITE.gravity))
@@ -40,7 +41,7 @@ def name(request: pytest.FixtureRequest) -> str:
     return request.param
 
 
-def draw(name: str, told: bool = True) -> tuple[Figure, Apsides, Shares]:
+def draw(name: str, told: bool = True) -> tuple[Figure, Apsides, PrecessionBudget]:
     launch, forces, duration = STORIES[name]
     averaged = kp.EnvelopeMotion(PENDULUM, launch, **forces)
     times = np.linspace(0.0, duration, 500)
@@ -48,7 +49,7 @@ def draw(name: str, told: bool = True) -> tuple[Figure, Apsides, Shares]:
     site = forces.get("site")
     ideal = -float(site.vertical_rotation) if site is not None else 0.0
     apsides = Apsides(times, a, b, averaged.azimuth(times), ideal, float(np.abs(b).max()))
-    shares = Shares.of(averaged, times)
+    shares = averaged.rates(times)
     real = kp.RealMotion(PENDULUM, launch, **forces)
     figure = plot.day(real, apsides, shares if told else None, "A title")
     figure.canvas.draw()

@@ -16,9 +16,9 @@ def test_bars_are_the_rates() -> None:
     found = kp.design(PENDULUM, 1.0, 0.005, site=SITE, suspension=uneven, checked=False)
     left, right = plot.design(found, "tower").axes
     widths = [bar.get_width() for bar in left.patches]  # pyright: ignore[reportAttributeAccessIssue]
-    hourly = [math.degrees(rate) * 3600 for rate in found.rates.values()]
+    hourly = [math.degrees(rate) * 3600 for rate in found.budget.values()]
     assert widths[:5] == pytest.approx([*hourly, sum(hourly)])
-    slow, fast = (found[f"{name} turning by the damping"].value for name in ("Slowest", "Fastest"))
+    slow, fast = (found[f"{name}_by_damping"].value for name in ("slowest", "fastest"))
     assert widths[-1] == pytest.approx(math.degrees(slow - fast) * 3600)
     assert not right.axison
     assert "No drag is given" in right.texts[0].get_text()
@@ -29,6 +29,6 @@ def test_curve_is_the_decay() -> None:
     _, right = plot.design(found).axes
     curve, half = right.lines
     assert curve.get_ydata()[0] == pytest.approx(1.0)  # pyright: ignore[reportIndexIssue]
-    hours = found["Time to half the amplitude"].value / 3600
+    hours = found["half_time"].value / 3600
     assert half.get_xdata()[0] in (pytest.approx(hours), pytest.approx(60 * hours))  # pyright: ignore[reportIndexIssue]
     assert half.get_ydata()[0] == pytest.approx(0.5)  # pyright: ignore[reportIndexIssue]

@@ -37,17 +37,6 @@ impl<'a> Columns<'a> {
     }
 }
 
-/// The rows of what may be missing.
-pub(crate) trait Rows {
-    fn row_of<const N: usize>(&self, index: usize) -> Option<[f64; N]>;
-}
-
-impl Rows for Option<Columns<'_>> {
-    fn row_of<const N: usize>(&self, index: usize) -> Option<[f64; N]> {
-        self.as_ref().map(|columns| columns.row(index))
-    }
-}
-
 /// Makes the launch of one row.
 pub(crate) type Launcher = fn(&Columns<'_>, usize) -> Launch;
 

@@ -1,8 +1,8 @@
 //! What is given and what follows from it: columns in, numbers or problems out.
 
-use crate::columns::{Columns, Numbers, Rows, known_launcher};
+use crate::columns::{Columns, Numbers, known_launcher};
 use crate::signal::Signal;
-use kugelpendel::{Acting, Bob, Drag, Drive, Invalid, Launch, Pendulum, Site, StillAir, Suspension, Wire, in_parallel};
+use kugelpendel::{Acting, Bob, Drag, Invalid, Launch, Pendulum, Site, StillAir, Suspension, Wire, in_parallel};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -63,7 +63,7 @@ pub(crate) fn problem_kinds() -> Vec<(u8, &'static str)> {
     Invalid::KINDS.to_vec()
 }
 
-type Columned<'py> = HashMap<String, PyReadonlyArray1<'py, f64>>;
+pub(crate) type Columned<'py> = HashMap<String, PyReadonlyArray1<'py, f64>>;
 
 /// What is wrong with one set of numbers, named as in "drag.linear", if anything is.
 #[pyfunction]
@@ -211,37 +211,18 @@ impl<'a> Named<'a> {
     /// What acts, row by row.
     ///
     /// # Errors
-    /// As [`Self::part`].
+    /// Columns of another length, and names that nothing has.
     pub(crate) fn acting(&self) -> PyResult<impl Fn(usize) -> Acting + Sync + use<'a>> {
-        let place = self.part("site", ["latitude", "height", "rotation"])?;
-        let gravity = self.part("site", ["gravity"])?;
-        let drag = self.part("drag", ["linear", "quadratic"])?;
-        let held = self.part("suspension", ["anisotropy", "axis", "damping_anisotropy", "damping_axis"])?;
-        let ball = self.part("bob", BOB)?;
-        let phased =
-            if self.columns.contains_key("drive.phase") { self.part("drive", ["push", "phase"])? } else { None };
-        let placed =
-            if self.columns.contains_key("drive.radius") { self.part("drive", ["push", "radius"])? } else { None };
-        Ok(move |row| Acting {
-            site: place.row_of(row).map(|[latitude, height, rotation]| Site {
-                latitude,
-                gravity: gravity.row_of(row).map(|[gravity]| gravity),
-                height,
-                rotation,
-            }),
-            drag: drag.row_of(row).map(|[linear, quadratic]| Drag { linear, quadratic }),
-            suspension: held.row_of(row).map(|[anisotropy, axis, damping_anisotropy, damping_axis]| Suspension {
-                anisotropy,
-                axis,
-                damping_anisotropy,
-                damping_axis,
-            }),
-            bob: ball.row_of(row).map(bob),
-            drive: match (phased.row_of(row), placed.row_of(row)) {
-                (Some([push, phase]), _) => Drive::Phase { push, phase },
-                (_, Some([push, radius])) => Drive::Radius { push, radius },
-                _ => Drive::Absent,
-            },
-        })
+        for (name, column) in &self.columns {
+            if !Acting::NAMES.contains(name) || (column.len() != 1 && column.len() != self.rows) {
+                return Err(PyValueError::new_err(format!(
+                    "{name:?} with {} rows is not among what acts",
+                    column.len()
+                )));
+            }
+        }
+        let columns = Acting::NAMES.map(|name| self.columns.get(name).copied());
+        let one = |column: &'a [f64], row: usize| if column.len() == 1 { column[0] } else { column[row] };
+        Ok(move |row| Acting::of(columns.map(|column| column.map(|column| one(column, row)))))
     }
 }

@@ -2,6 +2,7 @@
 //! side's business.
 
 mod apsides;
+mod builder;
 mod columns;
 mod envelope;
 mod exact;
@@ -9,6 +10,7 @@ mod given;
 mod harmonic;
 mod integrated;
 mod meaning;
+mod portrait;
 mod real;
 mod signal;
 mod stepped;
@@ -32,6 +34,11 @@ mod _core {
     #[pymodule_export]
     use crate::apsides::{ApsidesTrack, plane_rates};
     #[pymodule_export]
+    use crate::builder::{
+        PyDecay, budget_at_start, critical_amplitude, critical_anisotropy, critical_damping, passage_time,
+        precession_pace, precession_stretches, settled, under_damping,
+    };
+    #[pymodule_export]
     use crate::envelope::EnvelopeMotions;
     #[pymodule_export]
     use crate::exact::ExactMotions;
@@ -46,6 +53,8 @@ mod _core {
         distances, events_on_a_grid, judged_radii, measured_rates, olsson_frequency, olsson_precession,
         osculating_ellipses, reach, relative_error, thread_pull, unwrapped,
     };
+    #[pymodule_export]
+    use crate::portrait::Portrait;
     #[pymodule_export]
     use crate::real::RealMotions;
 }

@@ -31,24 +31,23 @@ mod tests;
 pub use envelope::{Envelope, EnvelopeMotion, EnvelopeWalks};
 pub use exact::ensemble::Ensemble;
 pub use exact::motion::ExactMotion;
-pub use given::acting::Acting;
-pub use given::bob::Bob;
-pub use given::drag::{Drag, StillAir};
-pub use given::forces::{Drive, Forces, Thread};
-pub use given::invalid::{Invalid, Seen};
-pub use given::launch::{FASTEST, Launch, SMALLEST, TOLERANCE};
-pub use given::pendulum::Pendulum;
-pub use given::site::{ROTATION, Site};
-pub use given::suspension::Suspension;
-pub use given::wire::Wire;
+pub use given::*;
 pub use meaning::apsides::{ApsidesTrack, Apsis, STANDSTILL, mean_rate, rate_at_the_end, stands_since};
 pub use meaning::azimuth::{nearest, unwrap, unwrap_at};
+pub use meaning::budget::{ALIKE, Cause, Pace, PrecessionBudget, STALL, Stretch, stretches};
 pub use meaning::compare::{EllipseRates, SWINGS, distances, reach, relative_error};
+pub use meaning::decay::Decay;
 pub use meaning::ellipse::Ellipse;
 pub use meaning::events::events_on_a_grid;
+pub use meaning::half_turn::{HalfTurn, critical_damping, under_damping};
 pub use meaning::measured::{MeasuredRates, PlanState, measured_rates};
 pub use meaning::olsson;
+pub use meaning::portrait::{
+    EllipseForm, Equilibrium, Orbit, Portrait, Verdict, critical_amplitude, critical_anisotropy, intrinsic,
+};
+pub use meaning::push;
 pub use meaning::regime::Regime;
+pub use meaning::settled::{Settled, settle};
 pub use meaning::summary::IdealSummary;
 pub use numbers::arithmetic::fused;
 pub use paper::equations::Equation;
@@ -62,4 +61,3 @@ pub use taylor::step::Ending;
 pub use taylor::walk::{Halt, Passage, Readings, StateVector, Stop, Walk, steps_taken};
 
 pub use exact::spectrum::{Harmonic, Spectrum};
-pub use given::times::{Quantity, Times};

@@ -7,18 +7,24 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from kugelpendel import _core
 from kugelpendel.motion import ExactMotion, RealMotion
 from kugelpendel.parameters import (
     Bob,
     Drag,
     Drive,
+    Forces,
     InvalidInput,
     Launch,
+    Numbers,
     Pendulum,
     Site,
     Suspension,
     Wire,
 )
+
+MOST_SWINGS = 100_000
+"""A run of more swings would take more than some seconds, and is left out."""
 
 _FINE, _COARSE = 1e-17, 1e-12
 """Tolerances: the coarse one is for many swings whose phase nobody asks for."""
@@ -35,11 +41,7 @@ class Case:
     a: float
     b: float
     azimuth: float
-    site: Site | None
-    drag: Drag | None
-    suspension: Suspension | None
-    bob: Bob | None
-    drive: Drive | None
+    forces: Forces
     wire: Wire | None
     share: float
     after: float
@@ -61,6 +63,31 @@ class Case:
             )
 
     @property
+    def site(self) -> Site | None:
+        """Where it hangs."""
+        return self.forces.site
+
+    @property
+    def drag(self) -> Drag | None:
+        """Of the air."""
+        return self.forces.drag
+
+    @property
+    def suspension(self) -> Suspension | None:
+        """What it lacks in symmetry."""
+        return self.forces.suspension
+
+    @property
+    def bob(self) -> Bob | None:
+        """Its size."""
+        return self.forces.bob
+
+    @property
+    def drive(self) -> Drive | None:
+        """What is there now."""
+        return self.forces.drive
+
+    @property
     def length(self) -> float:
         """l, m."""
         return float(self.pendulum.length)
@@ -72,9 +99,8 @@ class Case:
 
     @cached_property
     def effective(self) -> Pendulum:
-        """A point mass that swings as the bob does."""
-        factor = 1.0 if self.bob is None else float(self.bob.gravity_factor(self.length))
-        return Pendulum(self.length, self.gravity * factor, self.pendulum.mass)
+        """The point mass that swings as the bob does."""
+        return self.forces.effective_pendulum(self.pendulum)
 
     @property
     def omega(self) -> float:
@@ -82,14 +108,14 @@ class Case:
         return float(self.effective.angular_frequency)
 
     @cached_property
-    def ideal(self) -> ExactMotion:
+    def exact(self) -> ExactMotion:
         """The swing without Earth, air or suspension."""
         return ExactMotion(self.effective, Launch.apsides(self.a, self.b, self.azimuth))
 
     @property
     def swing(self) -> float:
         """Period of the swing, there and back, s."""
-        return 2 * float(self.ideal.radial_period)
+        return 2 * float(self.exact.radial_period)
 
     @property
     def earth(self) -> float:
@@ -107,21 +133,44 @@ class Case:
         level = float(self.site.horizontal_rotation) * math.sin(self.azimuth)
         return self.earth * a - 2 / 3 * a**2 / self.length * level
 
+    @cached_property
+    def fading(self) -> _core.Decay:
+        """How the drag takes from a plane swing: a' = −γa − ka², k = (4/3π) c ω0."""
+        linear, quadratic = (0.0, 0.0) if self.drag is None else self.drag.values
+        return _core.Decay(float(linear), float(quadratic), self.omega)
+
     @property
     def linear(self) -> float:
         """γ, 1/s."""
         return 0.0 if self.drag is None else float(self.drag.linear)
 
     @property
-    def square(self) -> float:
-        """Of the quadratic drag: a' = −γa − ka² of a plane swing, k = (4/3π) c ω0, 1/(m s)."""
-        quadratic = 0.0 if self.drag is None else float(self.drag.quadratic)
-        return 4 / (3 * math.pi) * quadratic * self.omega
-
-    @property
     def decay(self) -> float:
         """−a'/a at the given amplitude, 1/s."""
-        return self.linear + self.square * self.a
+        return self.fading.rate(self.a)
+
+    @property
+    def numbers(self) -> tuple[float, float, float]:
+        """Length, gravity and mass of the point mass that swings as the bob does."""
+        length, gravity, mass = (float(value) for value in self.effective.values)
+        return length, gravity, mass
+
+    def averaged(
+        self, b: float, forces: Forces
+    ) -> tuple[list[float], tuple[float, float, float], dict[str, Numbers]]:
+        """What the core takes for the averaged motion of this swing, b wide, under some forces."""
+        given = [float(value) for value in self.pendulum.values]
+        return given, (self.a, b, self.azimuth), forces.columns(())
+
+    @property
+    def stiffness(self) -> float:
+        """δ, rad/s; 0 for an even suspension."""
+        return 0.0 if self.suspension is None else float(self.suspension.anisotropy)
+
+    @property
+    def damping(self) -> float:
+        """Δγ, 1/s; 0 for an even suspension."""
+        return 0.0 if self.suspension is None else float(self.suspension.damping_anisotropy)
 
     def launch(self, b: float, *, turning: bool, a: float | None = None) -> Launch:
         """From the outer turning point, so that the ellipse is a by b where nothing turns.
@@ -149,9 +198,7 @@ class Case:
         fine: bool = True,
     ) -> RealMotion:
         """The full equations with the bob, and with what is named of the rest."""
-        return RealMotion(
-            self.pendulum,
-            launch,
+        forces = Forces(
             site=self.site if site else None,
             drag=(self.drag if drag else None) if isinstance(drag, bool) else drag,
             suspension=(self.suspension if suspension else None)
@@ -159,13 +206,13 @@ class Case:
             else suspension,
             bob=self.bob,
             drive=drive,
-            tolerance=_FINE if fine else _COARSE,
         )
+        return RealMotion(self.pendulum, launch, forces, tolerance=_FINE if fine else _COARSE)
 
 
 def _refuse_ensembles(case: Case) -> None:
-    for name in ("pendulum", "site", "drag", "suspension", "bob", "drive", "wire"):
-        part = getattr(case, name)
+    given = {"pendulum": case.pendulum, **case.forces.parts, "wire": case.wire}
+    for name, part in given.items():
         if part is not None and part.shape != ():
             raise InvalidInput(
                 f"A design answers for one pendulum, but the {name} has the shape {part.shape}; "

@@ -6,16 +6,18 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Unpack
 
-from kugelpendel.builder._anisotropy import anisotropy
-from kugelpendel.builder._answer import Answer
+from kugelpendel import _core
+from kugelpendel.builder._answer import DesignAnswer
 from kugelpendel.builder._case import Case
-from kugelpendel.builder._decay import amplitude_after, decay
-from kugelpendel.builder._half_turn import MOMENTS, half_turns, is_run
-from kugelpendel.builder._hanging import hanging
+from kugelpendel.builder._decay import decay
+from kugelpendel.builder._drive import drive as drives
 from kugelpendel.builder._passage import passage
 from kugelpendel.builder._period import period
-from kugelpendel.builder._timing import timing
-from kugelpendel.builder._turning import foucault, intrinsic, release, shares, total
+from kugelpendel.builder._suspension import steps
+from kugelpendel.builder._suspension import suspension as suspensions
+from kugelpendel.builder._turning import budget, foucault, intrinsic, release, total
+from kugelpendel.builder._wire import wire as wires
+from kugelpendel.observables import Portrait
 from kugelpendel.parameters import (
     ForceParts,
     Forces,
@@ -24,44 +26,65 @@ from kugelpendel.parameters import (
     Wire,
     as_numbers,
     gathered,
+    require_type,
 )
 
-_QUESTIONS: tuple[Callable[[Case], Iterator[Answer]], ...] = (
-    period, foucault, intrinsic, release, total, decay, anisotropy, timing, passage, hanging,
+_QUESTIONS: tuple[Callable[[Case], Iterator[DesignAnswer]], ...] = (
+    period, foucault, intrinsic, release, total, decay, suspensions, drives, passage, wires,
 )  # fmt: skip
 
 
 @dataclass(frozen=True)
 class Design:
-    """What a builder asked, answered.
+    """What a builder asked, and the answers.
 
     Attributes
     ----------
-    case
-        What was asked about.
+    pendulum, a, b, azimuth, forces, wire
+        As given to `design`.
     answers
         All of them, in the order of their groups.
+    budget
+        What each cause but a drive adds to the rate of the plane at the start, rad/s: "earth",
+        "intrinsic" and, with a suspension, "anisotropy" and "damping".
     """
 
-    case: Case
-    answers: tuple[Answer, ...]
+    pendulum: Pendulum
+    a: float
+    b: float
+    azimuth: float
+    forces: Forces
+    wire: Wire | None
+    answers: tuple[DesignAnswer, ...]
+    budget: dict[str, float]
 
-    def __getitem__(self, name: str) -> Answer:
-        """The answer of that name. Raises InvalidInput for a name that no answer has."""
+    def __getitem__(self, key: str) -> DesignAnswer:
+        """The answer of that key. Raises InvalidInput for a key that no answer has."""
         for answer in self.answers:
-            if answer.name == name:
+            if answer.key == key:
                 return answer
-        names = ", ".join(answer.name for answer in self.answers)
-        raise InvalidInput(f"This design has no answer {name!r}; it has {names}.")
+        raise InvalidInput(f"This design has no answer {key!r}; it has {', '.join(self.keys())}.")
+
+    def __contains__(self, key: object) -> bool:
+        """Whether an answer has that key."""
+        return key in self.keys()
+
+    def keys(self) -> tuple[str, ...]:
+        """Those of the answers, in their order."""
+        return tuple(answer.key for answer in self.answers)
 
     @property
-    def rates(self) -> dict[str, float]:
-        """What each cause adds to the rate of the plane at the start, rad/s."""
-        return shares(self.case)
+    def portrait(self) -> Portrait:
+        """The map of the clamp for swings of this size, with this one on it."""
+        return Portrait(self.pendulum, self.a, self.b, self.azimuth, self.forces)
 
     def amplitude(self, time: float) -> float:
         """Of the swing without a drive after so many seconds, m: the drag's closed form."""
-        return amplitude_after(self.case, time)
+        drag = self.forces.drag
+        linear, quadratic = (0.0, 0.0) if drag is None else drag.values
+        omega = self.forces.effective_pendulum(self.pendulum).angular_frequency
+        fading = _core.Decay(float(linear), float(quadratic), float(omega))
+        return fading.after(self.a, float(time))
 
 
 def design(
@@ -104,7 +127,8 @@ def design(
     time
         s after the closest approach, for the place there; an eighth of a swing unless given.
     checked
-        Whether `RealMotion` is run beside the formulas.
+        Whether `RealMotion` is run beside the formulas; what would take more than 100 000 swings
+        is not run.
     done
         Told, now and then, how many of how many steps are done.
     parts
@@ -113,7 +137,7 @@ def design(
     Returns
     -------
     Design
-        Its answers, each with formula, source and check.
+        Its answers by their keys, each with formula, source and check.
 
     Raises
     ------
@@ -123,8 +147,10 @@ def design(
 
     Notes
     -----
-    Formulas for b ≪ a ≪ l are first orders; the check beside each says how good they are here.
+    Formulas for b ≪ a ≪ l are first orders; the check beside each says how good they are here, and
+    where a check contradicts its formula, the note says so.
     """
+    require_type("The pendulum", pendulum, Pendulum)
     numbers = (
         _one(a, "The amplitude a", "m"), _one(b, "b", "m"), _one(azimuth, "The azimuth", "rad"),
     )  # fmt: skip
@@ -133,24 +159,22 @@ def design(
         None if radius is None else _one(radius, "The radius to pass", "m"),
         None if time is None else _one(time, "The time after the closest approach", "s"),
     )  # fmt: skip
-    steps, taken = 0, 0
+    count, taken = 0, 0
 
     def worked() -> None:
         nonlocal taken
         taken += 1
         if done is not None:
-            done(taken, steps)
+            done(taken, count)
 
     acting = gathered("A design", forces, parts)
-    every = (acting.site, acting.drag, acting.suspension, acting.bob, acting.drive)
-    case = Case(pendulum, *numbers, *every, wire, *asked, checked, worked)
-    runs = sum(is_run(case, turn) for turn in half_turns(case))
-    steps = len(_QUESTIONS) + MOMENTS * runs
-    answers: list[Answer] = []
+    case = Case(pendulum, *numbers, acting, wire, *asked, checked, worked)
+    count = len(_QUESTIONS) + steps(case)
+    answers: list[DesignAnswer] = []
     for question in _QUESTIONS:
         answers.extend(question(case))
         worked()
-    return Design(case, tuple(answers))
+    return Design(pendulum, *numbers, acting, wire, tuple(answers), budget(case))
 
 
 def _one(value: float, name: str, unit: str) -> float:

@@ -24,8 +24,7 @@ def turned(points: Numbers) -> Numbers:
     Of points at most some swings apart, between which the swing turns by less than a quarter.
     """
     azimuth = np.arctan2(points[:, 1], points[:, 0])
-    steps = np.diff(azimuth)
-    return np.concatenate([[0.0], np.cumsum(steps - math.pi * np.rint(steps / math.pi))])
+    return np.unwrap(azimuth, period=math.pi) - azimuth[0]
 
 
 def turning_rate(motion: RealMotion, swing: float, swings: int = 10) -> float:
@@ -41,11 +40,14 @@ def period(motion: RealMotion, swing: float) -> float:
     return span / (round(2 * span / swing) / 2)
 
 
-def amplitude(motion: RealMotion, at: float, swing: float) -> tuple[float, float]:
-    """Time, s, and radius, m, of the outer turning point next after a time."""
-    time = motion.next_event("outer", after=at, within=2 * swing)
-    x, y, _ = motion.position(time)
-    return time, math.hypot(x, y)
+def amplitude(motion: RealMotion, at: float, swing: float) -> float:
+    """Radius, m, of the outer turning points at a time: between those before and after it.
+
+    By their logarithms, which is exact for linear drag.
+    """
+    times = motion.events("outer", max(at - 0.75 * swing, 0.0), at + 0.75 * swing)
+    radii: Numbers = np.hypot(*motion.position(times)[:, :2].T)
+    return float(np.exp(np.interp(at, times, np.log(radii))))
 
 
 @dataclass(frozen=True)
@@ -76,7 +78,7 @@ class Course:
             times.append(outer)
             inner.append(motion.next_event("inner", after=outer, within=2 * swing))
             worked()
-        radii = np.hypot(*motion.position(inner)[:, :2].T)
+        radii: Numbers = np.hypot(*motion.position(inner)[:, :2].T)
         return cls(np.array(times), turned(motion.position(times)[:, :2]), radii)
 
     @property

@@ -166,13 +166,15 @@ def _do_design(given: argparse.Namespace) -> int:
 def _do_derive(given: argparse.Namespace) -> int:
     from kugelpendel.cli.derive.command import derive, list_misprints, refuse_mixture
 
-    refuse_mixture(given.check, given.misprints, given.equation, given.format, given.out)
+    refuse_mixture(
+        given.check, given.misprints, given.json, given.equation, given.format, given.out
+    )
     if given.check:
         from kugelpendel.cli.derive.check import check
 
-        return check(given.equation, given.lang)
+        return check(given.equation, given.lang, given.json)
     if given.misprints:
-        list_misprints(given.lang)
+        list_misprints(given.lang, given.json)
     else:
         derive(given.equation, given.lang, given.format, given.out)
     return 0
@@ -297,4 +299,7 @@ def _add_derive(derive: argparse.ArgumentParser) -> None:
     derive.add_argument("--misprints", action="store_true", help="list the misprints of the paper")
     derive.add_argument(
         "--check", action="store_true", help="run all proofs; the exit code is 1 if one fails"
+    )
+    derive.add_argument(
+        "--json", action="store_true", help="print the list of --misprints or --check as JSON"
     )

@@ -10,9 +10,12 @@ from kugelpendel.errors._types import MissingExtra
 
 EXTRAS = {
     "run": ("h5netcdf", "h5py", "matplotlib", "pandas", "pint", "pyarrow", "rich", "xarray"),
-    "paper": ("mpmath", "rich", "sympy"),
+    "paper": ("markdown-it-py", "mpmath", "rich", "sympy"),
 }
-"""The packages of each extra in pyproject.toml; each is imported under its own name."""
+"""The packages of each extra in pyproject.toml."""
+
+_IMPORTED = {"markdown-it-py": "markdown_it"}
+"""The names under which packages are imported, where these are not their own."""
 
 
 def require_extra(extra: str, what: str, *packages: str) -> None:
@@ -60,6 +63,6 @@ def with_extra(
 
 def _is_there(name: str) -> bool:
     try:
-        return find_spec(name) is not None
+        return find_spec(_IMPORTED.get(name, name)) is not None
     except (ImportError, ValueError):  # blocked by a finder, or set to None in sys.modules
         return False

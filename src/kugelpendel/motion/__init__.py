@@ -2,8 +2,10 @@
 
 from kugelpendel.motion._base import EventKind as EventKind
 from kugelpendel.motion._base import Motion as Motion
+from kugelpendel.motion._budget import CAUSES as CAUSES
+from kugelpendel.motion._budget import PrecessionBudget as PrecessionBudget
+from kugelpendel.motion._budget import Stretch as Stretch
 from kugelpendel.motion._envelope import EnvelopeMotion as EnvelopeMotion
-from kugelpendel.motion._envelope import TurningRates as TurningRates
 from kugelpendel.motion._exact import ExactMotion as ExactMotion
 from kugelpendel.motion._problems import Problems as Problems
 from kugelpendel.motion._problems import Reasons as Reasons

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import warnings
-from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any, Unpack
 
@@ -12,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from kugelpendel import _core
 from kugelpendel.errors import InvalidInput, MotionEnded
+from kugelpendel.motion._budget import CAUSES, PrecessionBudget
 from kugelpendel.motion._forced import ForcedMotion
 from kugelpendel.motion._kept import kept
 from kugelpendel.motion._real import RealMotion
@@ -38,43 +38,6 @@ _FORCES = (
 
 _SWINGS = 100
 """Swings over which that error is measured."""
-
-
-@dataclass(frozen=True)
-class TurningRates:
-    """How fast the plane of the swing turns, cause by cause, and the swing changes.
-
-    Arrays of one shape; rad/s, positive counter-clockwise seen from above. The first five are
-    shares of dψ/dt, averaged over a swing, and add up to `total`.
-
-    Attributes
-    ----------
-    earth
-        −Ω_z of the site.
-    intrinsic
-        Ω of the ideal motion, which goes with the area of the ellipse.
-    anisotropy
-        Of the suspension's stiffness; infinite on a circle, which has no axis.
-    damping
-        Of damping that depends on the direction. Drag that does not turns no plane.
-    drive
-        Of the pushes.
-    outer, inner
-        Rates of a and b, m/s, all causes together.
-    """
-
-    earth: Numbers
-    intrinsic: Numbers
-    anisotropy: Numbers
-    damping: Numbers
-    drive: Numbers
-    outer: Numbers
-    inner: Numbers
-
-    @property
-    def total(self) -> Numbers:
-        """dψ/dt, rad/s."""
-        return self.earth + self.intrinsic + self.anisotropy + self.damping + self.drive
 
 
 class EnvelopeMotion(ForcedMotion):
@@ -218,10 +181,11 @@ class EnvelopeMotion(ForcedMotion):
         """
         return self._read("phase", t)
 
-    def rates(self, t: ArrayLike) -> TurningRates:
+    def rates(self, t: ArrayLike) -> PrecessionBudget:
         """What turns the plane at these times, cause by cause; errors as in `position`."""
-        rates = self._read("rates", t, len(fields(TurningRates)))
-        return TurningRates(*np.moveaxis(rates, -1, 0))
+        rates = self._read("rates", t, len(CAUSES) + 2)
+        times = np.asarray(t, dtype=np.float64)
+        return PrecessionBudget(times, self.azimuth(t), *np.moveaxis(rates, -1, 0))
 
     def position(self, t: ArrayLike) -> Numbers:
         """Position from the support, m, z down: shape (*shape, *t.shape, 3).

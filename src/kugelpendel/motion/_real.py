@@ -84,7 +84,7 @@ class RealMotion(ForcedMotion, SteppedMotion):
         tolerance: float = _FINEST,
         **parts: Unpack[ForceParts],
     ):
-        if thread not in _THREADS:
+        if str(thread) not in _THREADS:
             raise InvalidInput(
                 f"The thread must be one of {', '.join(map(repr, _THREADS))}, but it is {thread!r}."
             )

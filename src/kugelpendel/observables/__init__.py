@@ -9,14 +9,14 @@ from kugelpendel.observables._ellipse import ellipse as ellipse
 from kugelpendel.observables._ellipse import osculating_ellipse as osculating_ellipse
 from kugelpendel.observables._measured import Rates as Rates
 from kugelpendel.observables._measured import measured_rates as measured_rates
+from kugelpendel.observables._portrait import Equilibrium as Equilibrium
+from kugelpendel.observables._portrait import Orbit as Orbit
+from kugelpendel.observables._portrait import Portrait as Portrait
 from kugelpendel.observables._real_summary import Explanation as Explanation
 from kugelpendel.observables._real_summary import Follower as Follower
 from kugelpendel.observables._real_summary import RealSummary as RealSummary
 from kugelpendel.observables._real_summary import Revolutions as Revolutions
 from kugelpendel.observables._real_summary import explain as explain
-from kugelpendel.observables._shares import CAUSES as CAUSES
-from kugelpendel.observables._shares import Shares as Shares
-from kugelpendel.observables._shares import Stretch as Stretch
 from kugelpendel.observables._summary import IdealSummary as IdealSummary
 from kugelpendel.observables._summary import Regime as Regime
 from kugelpendel.observables._turning_points import TurningPoints as TurningPoints

@@ -11,9 +11,8 @@ import numpy as np
 
 from kugelpendel import _core
 from kugelpendel.errors import KugelpendelError
-from kugelpendel.motion import EnvelopeMotion, RealMotion
+from kugelpendel.motion import EnvelopeMotion, PrecessionBudget, RealMotion
 from kugelpendel.observables._apsides import Apsides
-from kugelpendel.observables._shares import Shares
 from kugelpendel.parameters import Launch
 
 if TYPE_CHECKING:
@@ -195,7 +194,7 @@ class Explanation:
 
     Attributes
     ----------
-    shares : Shares or None
+    shares : PrecessionBudget or None
         The rate of the plane by its causes; None where the average does not hold, as ``why_not``
         says.
     why_not : str
@@ -206,7 +205,7 @@ class Explanation:
         What the averaged equations say about themselves; empty for nothing.
     """
 
-    shares: Shares | None
+    shares: PrecessionBudget | None
     why_not: str
     apart: float
     caution: str
@@ -223,7 +222,7 @@ def explain(motion: RealMotion, summary: RealSummary) -> Explanation:
         with warnings.catch_warnings(record=True) as warned:
             warnings.simplefilter("always")
             averaged = EnvelopeMotion(motion.pendulum, motion.launch, motion.forces)
-            shares = Shares.of(averaged, np.linspace(0.0, summary.until, _TIMES))
+            shares = averaged.rates(np.linspace(0.0, summary.until, _TIMES))
             started, ended = averaged.azimuth(apsides.times[[0, -1]])
     except KugelpendelError as error:
         return Explanation(None, str(error), math.nan, "")

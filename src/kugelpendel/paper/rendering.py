@@ -10,34 +10,38 @@ from kugelpendel.paper.checks.counterexample import counterexample
 from kugelpendel.paper.derivation.graph import FORMULAS, parts, rests_on
 from kugelpendel.paper.derivation.misprints import MISPRINTS
 from kugelpendel.paper.document import html, latex, markdown, terminal
+from kugelpendel.paper.document.markdown import Writer
 from kugelpendel.paper.document.outline import Derivation, compose
-from kugelpendel.paper.document.tables import misprints
 
 if TYPE_CHECKING:
     from kugelpendel.paper.document.outline import Document
 
 
 def composed(language: str, target: str = "") -> Document:
-    """The whole derivation, or what leads to one formula or display, in a language."""
+    """Put together the derivation, or what leads to one formula or display, in a language."""
     labels = [formula.label for formula in FORMULAS]
     if target:
         labels = [*rests_on(target), *(formula.label for formula in parts(target))]
     return compose(Derivation(FORMULAS, MISPRINTS, _evidence), language, labels, target)
 
 
-def write(language: str, form: str, target: str = "", width: int = 80) -> str:
+def write(
+    language: str, form: str, target: str = "", width: int = 80, coloured: bool = False
+) -> str:
     """Write the derivation.
 
     Parameters
     ----------
-    language : str
+    language
         One of `LANGUAGES`.
-    form : str
+    form
         "html", "md", "latex" or "text".
-    target : str
-        A label: show only what leads to it. "" for everything.
-    width : int
-        Signs in a line, of text.
+    target
+        A label, to show only what leads to it; "" shows everything.
+    width
+        The number of signs in a line, of text.
+    coloured
+        Whether text may hold a terminal's colours.
 
     Raises
     ------
@@ -53,14 +57,12 @@ def write(language: str, form: str, target: str = "", width: int = 80) -> str:
         case "latex":
             return latex.write(whole)
         case _:
-            return terminal.write(whole, width)
+            return terminal.write(whole, width, coloured)
 
 
-def misprint_list(language: str, width: int = 80) -> str:
-    """All misprints as text, `width` signs wide."""
-    whole = composed(language)
-    rows = misprints(whole, terminal.TextPen(whole))
-    return "\n".join(terminal.listed(rows, width))
+def misprint_list(language: str, width: int = 80, coloured: bool = False) -> str:
+    """Write all misprints as text, `width` signs wide."""
+    return terminal.text(Writer(composed(language)).misprints(), width, coloured)
 
 
 @cache

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from kugelpendel.parameters._bob import Bob
 from kugelpendel.parameters._derived import derived
-from kugelpendel.parameters._given import Given
+from kugelpendel.parameters._given import Given, require_type
 from kugelpendel.parameters._numbers import Scalars, as_numbers
 from kugelpendel.parameters._pendulum import Pendulum
 
@@ -56,6 +56,7 @@ class Drag(Given):
         InvalidInput for a single quality that is not positive and finite; in an ensemble such a
         case becomes NaN.
         """
+        require_type("The pendulum", pendulum, Pendulum)
         given = {
             "drag.quality": as_numbers(quality, "drag.quality", ""),
             "pendulum.angular_frequency": pendulum.angular_frequency,
@@ -120,6 +121,8 @@ class Drag(Given):
         its part, so expect no better than a factor of two: measure the half life and use
         `from_half_life`.
         """
+        require_type("The bob", bob, Bob)
+        require_type("The pendulum", pendulum, Pendulum)
         estimated = {
             "air_viscosity": (air_viscosity, "Pa·s"),
             "drag_coefficient": (drag_coefficient, ""),

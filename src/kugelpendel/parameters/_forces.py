@@ -11,7 +11,7 @@ from kugelpendel.errors import InvalidInput
 from kugelpendel.parameters._bob import Bob
 from kugelpendel.parameters._drag import Drag
 from kugelpendel.parameters._drive import Drive
-from kugelpendel.parameters._given import LONGEST, Given
+from kugelpendel.parameters._given import LONGEST, Given, require_type
 from kugelpendel.parameters._launch import Launch
 from kugelpendel.parameters._numbers import Numbers, Scalars
 from kugelpendel.parameters._pendulum import Pendulum
@@ -27,6 +27,9 @@ class ForceParts(TypedDict, total=False):
     suspension: Suspension | None
     bob: Bob | None
     drive: Drive | None
+
+
+_PARTS = {"site": Site, "drag": Drag, "suspension": Suspension, "bob": Bob, "drive": Drive}
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -60,14 +63,8 @@ class Forces:
 
     def __post_init__(self) -> None:
         for name, part in self.parts.items():
-            if getattr(part, "part", None) != name:
-                raise InvalidInput.of(
-                    "wrong_type",
-                    what=name,
-                    wanted=f"kugelpendel.{name.capitalize()}",
-                    seen=_named_type(part),
-                    way_out=f"write {name}=kp.{name.capitalize()}(…)",
-                )
+            way_out = f"write {name}=kp.{_PARTS[name].__name__}(…)"
+            require_type(name, part, _PARTS[name], way_out)
         try:
             _ = self.shape
         except ValueError:
@@ -148,14 +145,7 @@ def gathered(what: str, forces: Any, parts: ForceParts) -> Forces:
         raise InvalidInput.of("unknown_part", what=what, seen=unknown[0], known=listed)
     if forces is None:
         return Forces(**parts)
-    if not isinstance(forces, Forces):
-        raise InvalidInput.of(
-            "wrong_type",
-            what="forces",
-            wanted="kugelpendel.Forces",
-            seen=_named_type(forces),
-            way_out="write kp.Forces(drag=…)",
-        )
+    require_type("forces", forces, Forces, "write kp.Forces(drag=…)")
     given = [name for name, part in parts.items() if part is not None]
     if given:
         raise InvalidInput.of("parts_twice", seen=", ".join(given))
@@ -168,21 +158,10 @@ def unfit_parts(*parts: Any) -> InvalidInput:
     return InvalidInput.of("shapes", names="what was given", shapes=shapes)
 
 
-def _named_type(part: object) -> str:
-    return f"{part!r:.60} of type {type(part).__name__}"
-
-
 def require_given(motion: str, pendulum: Any, launch: Any) -> None:
     """Raise InvalidInput unless a motion is given a pendulum and a launch, in this order."""
-    if isinstance(pendulum, Pendulum) and isinstance(launch, Launch):
-        return
-    swapped = isinstance(pendulum, Launch) and isinstance(launch, Pendulum)
-    wrong, wanted = (pendulum, Pendulum) if not isinstance(pendulum, Pendulum) else (launch, Launch)
     call = f"kp.{motion}(kp.Pendulum(length), kp.Launch.ellipse(a, b))"
-    raise InvalidInput.of(
-        "wrong_type",
-        what=f"The {wanted.__name__.lower()} of {motion}",
-        wanted=f"kugelpendel.{wanted.__name__}",
-        seen=_named_type(wrong),
-        way_out=f"the pendulum comes first: {call}" if swapped else f"write {call}",
-    )
+    swapped = isinstance(pendulum, Launch) and isinstance(launch, Pendulum)
+    way_out = f"the pendulum comes first: {call}" if swapped else f"write {call}"
+    require_type(f"The pendulum of {motion}", pendulum, Pendulum, way_out)
+    require_type(f"The launch of {motion}", launch, Launch, way_out)

@@ -123,3 +123,24 @@ def _spelled_value(value: Scalars) -> str:
     if flat.size <= 3:
         return str(value.tolist())
     return f"[{flat[0]:.6g} … {flat[-1]:.6g}: {' × '.join(map(str, value.shape))}]"
+
+
+def require_type(what: str, given: object, wanted: type, way_out: str = "") -> None:
+    """Raise InvalidInput for what is no instance of a class of this package.
+
+    Parameters
+    ----------
+    what
+        For the sentence, such as "The pendulum".
+    way_out
+        What to write; a call of the class unless given.
+    """
+    if isinstance(given, wanted):
+        return
+    raise InvalidInput.of(
+        "wrong_type",
+        what=what,
+        wanted=f"kugelpendel.{wanted.__name__}",
+        seen=f"{given!r:.60} of type {type(given).__name__}",
+        way_out=way_out or f"write kp.{wanted.__name__}(…)",
+    )

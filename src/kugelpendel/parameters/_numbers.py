@@ -89,8 +89,8 @@ def _wrong(kind: str, value: Any, what: str, unit: str) -> InvalidInput:
     seen = repr(value)
     if len(seen) > _LONGEST:
         seen = f"{seen[:_LONGEST]}…"
-    # The unit is a value of its own, so that each language can put its own word before it.
-    return InvalidInput.of(kind, what=what, seen=seen, in_unit=f" in {unit}" if unit else "")
+    in_unit = "" if unit in ("", "1") else f" in {unit}"
+    return InvalidInput.of(kind, what=what, seen=seen, in_unit=in_unit)
 
 
 def common_shape(values: tuple[Scalars, ...]) -> tuple[int, ...]:

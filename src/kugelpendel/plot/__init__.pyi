@@ -3,6 +3,7 @@ from ._day import day as day
 from ._design import design as design
 from ._overview import overview as overview
 from ._overview import save as save
+from ._portrait import portrait as portrait
 from ._validity import validity as validity
 
 __all__ = [
@@ -10,6 +11,7 @@ __all__ = [
     "day",
     "design",
     "overview",
+    "portrait",
     "save",
     "validity",
 ]

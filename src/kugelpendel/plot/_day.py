@@ -25,7 +25,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kugelpendel import EnvelopeMotion, RealMotion
-    from kugelpendel.observables import Apsides, Shares
+    from kugelpendel.motion import PrecessionBudget
+    from kugelpendel.observables import Apsides
 
 _SWINGS = 6
 """Swings in the plan view, evenly spread over the time."""
@@ -35,7 +36,10 @@ _POINTS = 120
 
 
 def day(
-    motion: RealMotion | EnvelopeMotion, apsides: Apsides, shares: Shares | None, title: str = ""
+    motion: RealMotion | EnvelopeMotion,
+    apsides: Apsides,
+    shares: PrecessionBudget | None,
+    title: str = "",
 ) -> Figure:
     """Draw how the plane of a real pendulum goes round.
 
@@ -45,7 +49,7 @@ def day(
         One motion, not an ensemble; asked for a few swings.
     apsides : Apsides
         What was measured.
-    shares : Shares or None
+    shares : PrecessionBudget or None
         What turned the plane, by the averaged equations; None where they do not hold.
     title : str
         Above the figure.

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 _HOURLY = math.degrees(1) * 3600  # °/h in a rad/s
 
 _NAMES = {
-    "Earth": "Earth, −Ω_z",
-    "ellipse": "ellipse by itself, Ω(a, b)",
+    "earth": "Earth, $−Ω_z$",
+    "intrinsic": "ellipse by itself, Ω(a, b)",
     "anisotropy": "suspension, at the start",
     "damping": "uneven damping, at the start",
 }
@@ -64,7 +64,7 @@ def design(found: Design, title: str = "") -> Figure:
 
 
 def _draw_rates(axes: Axes, found: Design) -> None:
-    rates = found.rates
+    rates = found.budget
     bars = [(_NAMES[name], rate) for name, rate in rates.items()]
     bars.append(("together, at the start", sum(rates.values())))
     spans = _spans(found)
@@ -92,12 +92,10 @@ def _draw_rates(axes: Axes, found: Design) -> None:
 
 def _spans(found: Design) -> list[tuple[str, float, float]]:
     """Slowest and fastest rates over a half turn, rad/s, counter-clockwise."""
-    values = {answer.name: answer.value for answer in found.answers}
     spans: list[tuple[str, float, float]] = []
     for cause, name in (("anisotropy", "suspension"), ("damping", "uneven damping")):
-        slow = values.get(f"Slowest turning by the {cause}")
-        if slow is not None:
-            fast = values[f"Fastest turning by the {cause}"]
+        if f"slowest_by_{cause}" in found:
+            slow, fast = (found[f"{end}_by_{cause}"].value for end in ("slowest", "fastest"))
             spans.append((f"Earth and {name}, half a turn", slow, fast))
     return spans
 
@@ -117,24 +115,23 @@ def _write(axes: Axes, row: int, end: float, text: str, *, left: bool) -> None:
 
 
 def _draw_decay(axes: Axes, found: Design) -> None:
-    values = {answer.name: answer.value for answer in found.answers}
-    half = values.get("Time to half the amplitude")
-    if half is None:
+    if "half_time" not in found:
         axes.set_axis_off()
         axes.text(0.5, 0.5, "No drag is given:\nthe swing does not die away.", ha="center",
                   va="center", color=_ink.TEXT, fontsize=11)  # fmt: skip
         return
+    half = found["half_time"].value
     times = np.linspace(0, _HALVES * half, 200)
-    clock, ruler = unit_for(times[-1], "s"), unit_for(found.case.a, "m")
+    clock, ruler = unit_for(times[-1], "s"), unit_for(found.a, "m")
     amplitudes = np.array([found.amplitude(float(time)) for time in times])
     axes.plot(times / clock.size, amplitudes / ruler.size, color=_ink.INNER, linewidth=1.8)
-    axes.plot([half / clock.size], [found.case.a / 2 / ruler.size], "o", color=_ink.OUTER)
-    axes.annotate(f"half after {spell(half, 's')}", (half / clock.size, found.case.a / 2
+    axes.plot([half / clock.size], [found.a / 2 / ruler.size], "o", color=_ink.OUTER)
+    axes.annotate(f"half after {spell(half, 's')}", (half / clock.size, found.a / 2
                   / ruler.size), (8, 6), textcoords="offset points", color=_ink.OUTER)  # fmt: skip
     axes.set(
         title="Amplitude without a drive",
         xlabel=f"time ({clock.symbol})",
         ylabel=f"amplitude ({ruler.symbol})",
         xlim=(0, times[-1] / clock.size),
-        ylim=(0, 1.08 * found.case.a / ruler.size),
+        ylim=(0, 1.08 * found.a / ruler.size),
     )

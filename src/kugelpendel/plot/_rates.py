@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
-    from kugelpendel.observables import Shares
+    from kugelpendel.motion import PrecessionBudget
     from kugelpendel.spelling import Unit
 
 # Apart in hue and in lightness, and from the shades behind them.
@@ -41,14 +41,14 @@ _SPIKES = 4.0
 """The axis ends at so many times the range of the middle 96 % of the values."""
 
 
-def draw_rates(axes: Axes, shares: Shares | None, clock: Unit) -> None:
+def draw_rates(axes: Axes, shares: PrecessionBudget | None, clock: Unit) -> None:
     """Draw what the causes add to the Earth's share, and their sum.
 
     Parameters
     ----------
     axes : Axes
         Where to draw; its time axis is in units of ``clock``.
-    shares : Shares or None
+    shares : PrecessionBudget or None
         None where the averaged equations do not hold.
     clock : Unit
         Of the time axis.
@@ -105,7 +105,7 @@ def draw_rates(axes: Axes, shares: Shares | None, clock: Unit) -> None:
     )
 
 
-def _lines(shares: Shares) -> list[tuple[str, NDArray[np.float64], str]]:
+def _lines(shares: PrecessionBudget) -> list[tuple[str, NDArray[np.float64], str]]:
     """What is drawn beside the sum: name, share and colour; as one what all but cancels."""
     lines = [(cause, getattr(shares, cause), colour) for cause, colour in _COLOURS.items()]
     both = shares.intrinsic + shares.drive

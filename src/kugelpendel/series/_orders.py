@@ -45,7 +45,7 @@ def checked_order(order: object) -> int:
 def checked_variables(variables: object) -> Variables:
     """One of the two names. Raises InvalidInput for anything else."""
     for name in NAMES:
-        if name == variables:
+        if isinstance(variables, str) and name == variables:
             return name
     raise InvalidInput(
         f'The variables of the series must be "radii" (the turning radii over the length) or '

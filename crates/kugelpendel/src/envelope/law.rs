@@ -9,7 +9,8 @@ use super::drag::Quadratic;
 use super::ideal::Ideal;
 use super::push::averaged;
 use crate::exact::theta::shape::product;
-use crate::given::forces::{Drive, Forces};
+use crate::given::drive::Drive;
+use crate::given::forces::Forces;
 use crate::numbers::arithmetic::Portable;
 
 type Complex = [f64; 2];

@@ -16,8 +16,8 @@ use crate::exact::chart::Chart;
 use crate::exact::motion::ExactMotion;
 use crate::exact::phase::Phase;
 use crate::exact::theta::shape::product;
-use crate::given::acting::Acting;
-use crate::given::forces::{Drive, Forces};
+use crate::given::drive::Drive;
+use crate::given::forces::{Acting, Forces};
 use crate::given::invalid::{Invalid, Seen, require};
 use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;
@@ -129,6 +129,30 @@ impl EnvelopeMotion {
         let height = motion.turning_heights()[0];
         let start = start.ok_or(Invalid::RisesToSupport { height, length: pendulum.length })?;
         Ok(Self { pendulum, law, start, omega0 })
+    }
+
+    /// At an outer turning point of the mean motion itself: turning radii a and b in m, b with the sign of the sense, and the
+    /// azimuth of the major axis in rad. A launch would be such an ellipse and what the forces add to its velocity.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn at_apsis(
+        pendulum: Pendulum,
+        [a, b, azimuth]: [f64; 3],
+        forces: Forces,
+        drive: Drive,
+        exact: bool,
+    ) -> Result<Self, Invalid> {
+        let launch = Launch::Apsides { a, b, azimuth };
+        let mut motion = Self::new(pendulum, launch, forces, drive, exact)?;
+        let ideal = ExactMotion::new(pendulum, launch)?;
+        let [mut place, mut rate] = [[0.0; 3]; 2];
+        ideal.fill(Quantity::Position, Times::Scattered(&[0.0]), &mut place);
+        ideal.fill(Quantity::Velocity, Times::Scattered(&[0.0]), &mut rate);
+        if let Some(start) = osculating(&pendulum, [place[0], place[1]], [rate[0], rate[1]]) {
+            motion.start = start;
+        }
+        Ok(motion)
     }
 
     /// Fills `out`, [`Envelope::width`] numbers to a time; beyond an end it is left as it was.

@@ -3,7 +3,7 @@
 //! It leaves the angular momentum as it is and adds push·dρ/dt + (push cos θ)²/2 to the energy, at any amplitude; what
 //! it does to plane and phase is that of small swings: Δ(x + iy)' = push·(x + iy)/ρ, seen from A±.
 
-use crate::given::forces::Drive;
+use crate::given::drive::Drive;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// B±' over e^{i arg B±}: the real parts are p' and q'. None where there is no push in this swing, or no swing.

@@ -1,8 +1,8 @@
 //! What is given: pendulum, launch, what acts, times; and what is wrong with it where it makes no sense.
 
-pub(crate) mod acting;
 pub(crate) mod bob;
 pub(crate) mod drag;
+pub(crate) mod drive;
 pub(crate) mod forces;
 pub(crate) mod invalid;
 pub(crate) mod launch;
@@ -12,3 +12,15 @@ pub(crate) mod site;
 pub(crate) mod suspension;
 pub(crate) mod times;
 pub(crate) mod wire;
+
+pub use bob::Bob;
+pub use drag::{Drag, StillAir};
+pub use drive::Drive;
+pub use forces::{Acting, Forces, Thread};
+pub use invalid::{Invalid, Seen};
+pub use launch::{FASTEST, Launch, SMALLEST, TOLERANCE};
+pub use pendulum::Pendulum;
+pub use site::{ROTATION, Site};
+pub use suspension::Suspension;
+pub use times::{Quantity, Times};
+pub use wire::Wire;

@@ -2,7 +2,7 @@
 
 use crate::exact::motion::ExactMotion;
 use crate::given::drag::Drag;
-use crate::given::forces::Drive;
+use crate::given::drive::Drive;
 use crate::given::invalid::Invalid;
 use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;

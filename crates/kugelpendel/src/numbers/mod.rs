@@ -3,5 +3,6 @@
 pub(crate) mod arithmetic;
 pub(crate) mod double_double;
 pub(crate) mod elliptic;
+pub(crate) mod polynomial;
 pub(crate) mod roots;
 pub(crate) mod turns;

@@ -1,8 +1,8 @@
 //! The motion of a real pendulum: the full equations, integrated.
 
 use crate::exact::motion::ExactMotion;
-use crate::given::acting::Acting;
-use crate::given::forces::{Drive, Forces, Thread};
+use crate::given::drive::Drive;
+use crate::given::forces::{Acting, Forces, Thread};
 use crate::given::invalid::Invalid;
 use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;

@@ -1,6 +1,7 @@
 //! What the integration of a real pendulum has to know, without dimensions: lengths in l, times in 1/ω0.
 
-use crate::given::forces::{Drive, Forces, Thread};
+use crate::given::drive::Drive;
+use crate::given::forces::{Forces, Thread};
 use crate::real::sphere::SphereField;
 use crate::taylor::series::{FINEST, Point};
 

@@ -1,7 +1,8 @@
 //! One step of the real motion: how far it may go, and what happens at its end. The thread goes slack, or taut; the
 //! drive pushes.
 
-use crate::given::forces::{Drive, Thread};
+use crate::given::drive::Drive;
+use crate::given::forces::Thread;
 use crate::numbers::arithmetic::{Arithmetic, dispatch};
 use crate::real::problem::Problem;
 use crate::real::sphere::slowest_point;

@@ -187,11 +187,11 @@ impl Progress<'_> {
         }
     }
 
-    /// Keeps where a request begins.
-    fn remember(&mut self) {
-        let Side { step, recent, .. } = &mut *self.side;
-        if recent.iter().all(|checkpoint| checkpoint.count != step.start.count) {
-            recent.push_back(step.start);
+    /// Keeps where a request begins, or where one was left.
+    fn remember(&mut self, start: Checkpoint) {
+        let Side { recent, .. } = &mut *self.side;
+        if recent.iter().all(|checkpoint| checkpoint.count != start.count) {
+            recent.push_back(start);
             if recent.len() > RECENT {
                 recent.pop_front();
             }
@@ -278,7 +278,7 @@ fn sweep(
         }
         let done = order.peek().is_none() && !looking;
         if touched && std::mem::take(&mut is_first) {
-            progress.remember();
+            progress.remember(progress.side.step.start);
         }
         match progress.end(omega0.hi) {
             Some((time, ending)) if !done && order.peek().is_some() => {
@@ -291,8 +291,11 @@ fn sweep(
             }
             _ => {}
         }
+        let read = progress.side.step.start;
         progress.advance(motion);
         if progress.steps.is_multiple_of(PATIENCE) && stop() {
+            // Whoever goes on from here begins within the last step that is read.
+            progress.remember(read);
             // What is read lies before the step that is not, however its start is rounded.
             if side == 0 {
                 readings.until = progress.side.step.seconds(0.0, omega0.hi).next_down();

@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+import sys
+from io import StringIO
 from typing import TYPE_CHECKING
 
+from rich import box
+from rich.console import Console
+from rich.table import Table
+
 from kugelpendel import paper
-from kugelpendel.cli.derive.command import known_label, known_language
+from kugelpendel.cli.derive import as_json
+from kugelpendel.cli.derive.command import known_label, known_language, text_width
 from kugelpendel.cli.terminal.progress import Progress
 
 if TYPE_CHECKING:
@@ -14,13 +21,12 @@ if TYPE_CHECKING:
 _FAILED = 1
 
 
-def check(equation: str | None, language: str | None) -> int:
-    """Prove everything, or what leads to one equation, and print what was found.
+def check(equation: str | None, language: str | None, is_json: bool) -> int:
+    """Prove everything, or what leads to one equation, and print a table or JSON of it.
 
     Returns
     -------
-    int
-        Exit code: 1 if anything fails.
+    The exit code, which is 1 if anything fails.
     """
     words = paper.words(known_language(language))
     labels = [formula.label for formula in paper.FORMULAS]
@@ -33,41 +39,36 @@ def check(equation: str | None, language: str | None) -> int:
             progress.advance(1)
 
         rows = paper.check(parallel=True, progress=advance, labels=labels)
-    print("\n".join(table(rows, words)))
+    if is_json:
+        sys.stdout.write(as_json.proofs(rows))
+    else:
+        print("\n".join(table(rows, words, text_width())))
     return 0 if rows and all(row.holds for row in rows) else _FAILED
 
 
-def table(rows: Sequence[paper.Row], words: paper.Words) -> list[str]:
-    """Label, step, both proofs and the mutants of each formula, then the sums."""
-    cells = [
-        [words.ui(f"check_{name}") for name in ("label", "step", "symbolic", "numeric", "mutants")]
-    ]
-    cells.extend(
-        [
-            f"({row.label})",
-            words.kind(row.step),
-            _mark(row.symbolic, words),
-            _mark(row.numeric, words),
-            _mutants(row, words),
-        ]
-        for row in rows
-    )
-    widths = [max(len(line[column]) for line in cells) for column in range(len(cells[0]))]
-    lines = [
-        "  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip()
-        for line in cells
-    ]
+def table(rows: Sequence[paper.Row], words: paper.Words, width: int = 80) -> list[str]:
+    """Give the lines of a table: label, step, both proofs and the mutants; then the sums."""
+    heads = ("label", "step", "symbolic", "numeric", "mutants")
+    drawn = Table(box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False, header_style="")
+    for head in heads:
+        drawn.add_column(words.ui(f"check_{head}"))
+    for row in rows:
+        marks = (_mark(row.symbolic, words), _mark(row.numeric, words))
+        drawn.add_row(f"({row.label})", words.kind(row.step), *marks, _mutants(row, words))
+    console = Console(file=StringIO(), width=width, highlight=False, markup=False)
+    with console.capture() as captured:
+        console.print(drawn)
     proved = sum(row.symbolic and row.numeric for row in rows)
-    mutants, killed, equal = (
-        sum(row.mutants for row in rows),
-        sum(row.killed for row in rows),
-        sum(row.equal for row in rows),
-    )
+    killed, equal = sum(row.killed for row in rows), sum(row.equal for row in rows)
+    mutants = sum(row.mutants for row in rows)
     survivors = [f"({row.label}) {text}" for row in rows for text in row.survivors]
-    lines.insert(1, "  ".join("-" * width for width in widths))
-    lines.extend(["", words.ui("check_proved", proved, len(rows))])
-    lines.append(words.ui("check_sums", mutants, killed, equal, len(survivors)))
-    return [*lines, *survivors]
+    return [
+        *(line.rstrip() for line in captured.get().splitlines()),
+        "",
+        words.ui("check_proved", proved, len(rows)),
+        words.ui("check_sums", mutants, killed, equal, len(survivors)),
+        *survivors,
+    ]
 
 
 def _mark(holds: bool, words: paper.Words) -> str:

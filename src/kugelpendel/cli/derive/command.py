@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kugelpendel import InvalidInput, paper
+from kugelpendel.cli.derive import as_json
 from kugelpendel.cli.one_file import write_file
 from kugelpendel.paper import LANGUAGES
 
@@ -26,14 +27,15 @@ def derive(
 
     Parameters
     ----------
-    equation : str or None
-        A label, such as "25" or "(10.7)"; the whole derivation unless given.
-    language : str or None
-        "de" or "en"; that of the locale unless given.
-    document_format : str or None
-        One of `FORMATS`; unless given that of the file's name, and text without a file.
-    out : Path or None
-        The file; the terminal unless given, and ``derivation.LANGUAGE.html`` for HTML.
+    equation
+        A label, such as "25" or "(10.7)"; None writes the whole derivation.
+    language
+        "de" or "en"; None takes that of the locale.
+    document_format
+        One of `FORMATS`; None takes that of the file's name, and text without a file.
+    out
+        The file, in which ``~`` is the user's folder; None writes to the terminal, and HTML to
+        ``derivation.LANGUAGE.html``.
 
     Raises
     ------
@@ -42,24 +44,24 @@ def derive(
     """
     target = known_label(equation) if equation is not None else ""
     chosen = known_language(language)
+    out = None if out is None else _expanded(out)
     kind = _known_format(document_format, out)
-    width = min(shutil.get_terminal_size().columns, _WIDEST)
-    text = paper.write(chosen, kind, target, width)
     if out is None and kind == "html":
         name = f"derivation-{target.replace(':', '-')}" if target else "derivation"
         out = Path(f"{name}.{chosen}.html")
-    if out is not None:
+    is_coloured = out is None and sys.stdout.isatty()
+    text = paper.write(chosen, kind, target, text_width(), is_coloured)
+    if out is None:
+        sys.stdout.write(text)
+    else:
         write_file(out, text)
         print(_WRITTEN[chosen].format(out))
-    elif kind == "text" and sys.stdout.isatty():
-        _print_coloured(text)
-    else:
-        sys.stdout.write(text)
 
 
 def refuse_mixture(
     is_check: bool,
     is_list: bool,
+    is_json: bool,
     equation: str | None,
     document_format: str | None,
     out: Path | None,
@@ -67,6 +69,11 @@ def refuse_mixture(
     """Refuse options that say nothing together."""
     if is_check and is_list:
         raise InvalidInput("--check and --misprints are two commands; give one of them.")
+    if is_json and not (is_check or is_list):
+        raise InvalidInput(
+            "--json prints what --check or --misprints finds; add one of them, or choose the form "
+            "of the derivation by --format."
+        )
     option = "--check" if is_check else "--misprints"
     others: dict[str, object] = {"--format": document_format, "--out": out}
     if is_list:
@@ -78,14 +85,17 @@ def refuse_mixture(
         )
 
 
-def list_misprints(language: str | None) -> None:
-    """Print the misprints."""
-    width = min(shutil.get_terminal_size().columns, _WIDEST)
-    sys.stdout.write(paper.misprint_list(known_language(language), width))
+def list_misprints(language: str | None, is_json: bool) -> None:
+    """Print the misprints, as text or as JSON."""
+    chosen = known_language(language)
+    if is_json:
+        sys.stdout.write(as_json.misprints(chosen))
+    else:
+        sys.stdout.write(paper.misprint_list(chosen, text_width(), sys.stdout.isatty()))
 
 
 def known_language(language: str | None, environment: Mapping[str, str] = os.environ) -> str:
-    """The language to write in: the one given, or that of the locale, or English."""
+    """Choose the language to write in: the one given, or that of the locale, or English."""
     if language is None:
         variables = ("LC_ALL", "LC_MESSAGES", "LANG")
         locale = next((environment[name] for name in variables if environment.get(name)), "")
@@ -117,7 +127,7 @@ def _known_format(document_format: str | None, out: Path | None) -> str:
 
 
 def known_label(equation: str) -> str:
-    """The label that a user means; brackets around it may stay."""
+    """Find the label that a user means; brackets around it may stay."""
     label = equation.strip().removeprefix("(").removesuffix(")")
     labels = [formula.label for formula in paper.FORMULAS]
     displays = list(dict.fromkeys(formula.display for formula in paper.FORMULAS))
@@ -128,7 +138,7 @@ def known_label(equation: str) -> str:
 
 
 def nearest(label: str, displays: list[str]) -> list[str]:
-    """The displays that may have been meant, in the paper's order."""
+    """Find the displays that may have been meant, in the paper's order."""
     stem = label.partition(":")[0]
     wanted = _number(label)
     near = sorted(
@@ -144,25 +154,24 @@ def nearest(label: str, displays: list[str]) -> list[str]:
 
 
 def _number(label: str) -> int:
-    """The number that a label begins with; 1 when it has none."""
+    """Read the number that a label begins with; 1 where it has none."""
     digits = "".join(sign if sign.isascii() and sign.isdigit() else " " for sign in label).split()
     return int(digits[0]) if digits else 1
 
 
-def _print_coloured(text: str) -> None:
-    from rich.console import Console
-    from rich.text import Text
+def text_width() -> int:
+    """Give the number of signs in a line: the terminal's, unless that is too wide to read."""
+    return min(shutil.get_terminal_size().columns, _WIDEST)
 
-    console = Console(highlight=False, soft_wrap=True)
-    for line in text.splitlines():
-        style = ""
-        if line.lstrip().startswith("!"):
-            style = "red"
-        elif line.startswith("      ") and not line.startswith("       "):
-            style = "bold"
-        elif line.startswith("    "):
-            style = "dim" if line.lstrip().startswith("–") else ""
-        console.print(Text(line, style=style))
+
+def _expanded(out: Path) -> Path:
+    try:
+        return out.expanduser()
+    except RuntimeError as error:
+        raise InvalidInput(
+            f"{out} cannot be written: there is no user of that name; write ~ alone for your own "
+            f"folder, or ./{out} for a file whose name begins so."
+        ) from error
 
 
 _WRITTEN = {"de": "Geschrieben: {}", "en": "Written: {}"}

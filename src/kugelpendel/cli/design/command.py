@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from kugelpendel.cli.design.design_file import Questions
 
 FIGURE = "design.png"
+PORTRAIT = "portrait.png"
 RESULTS = "design.json"
 
 
@@ -48,14 +49,18 @@ def design(file: Path, folder: Path | None, as_json: bool, checked: bool) -> Non
         raise error.at(f"{file}: ") from error
     target = folder if folder is not None else Path("out") / file.stem
     results = _as_json(questions, found)
-    with staged(target, (FIGURE, RESULTS)) as temporary:
-        plot.save(plot.design(found, file.stem.replace("-", " ")), temporary / FIGURE)
+    title = file.stem.replace("-", " ")
+    drawn = (FIGURE, PORTRAIT) if "turning_by_anisotropy" in found else (FIGURE,)
+    with staged(target, (*drawn, RESULTS)) as temporary:
+        plot.save(plot.design(found, title), temporary / FIGURE)
+        if PORTRAIT in drawn:
+            plot.save(plot.portrait(found.portrait, title=title), temporary / PORTRAIT)
         (temporary / RESULTS).write_text(results, encoding="utf-8")
     if as_json:
         sys.stdout.write(results)
     else:
         print_design(questions, found)
-        print(f"\nIn {target}: {FIGURE}, {RESULTS}")
+        print(f"\nIn {target}: {', '.join((*drawn, RESULTS))}")
 
 
 def _answered(questions: Questions, checked: bool) -> kp.Design:
@@ -90,16 +95,17 @@ def _as_json(questions: Questions, found: kp.Design) -> str:
         "the sign of b are positive counter-clockwise seen from above; measured is by the full "
         "equations; null is never, or not there",
         "file": questions.file.name,
-        "swing": {"a_m": found.case.a, "b_m": found.case.b, "azimuth_rad": found.case.azimuth},
-        "rates_at_the_start_rad_per_s": found.rates,
+        "swing": {"a_m": found.a, "b_m": found.b, "azimuth_rad": found.azimuth},
+        "rates_at_the_start_rad_per_s": found.budget,
         "answers": [_answer(answer) for answer in found.answers],
     }
     return json_text(tables)
 
 
-def _answer(answer: kp.Answer) -> dict[str, Any]:
+def _answer(answer: kp.DesignAnswer) -> dict[str, Any]:
     check = answer.check
     return {
+        "key": answer.key,
         "group": answer.group,
         "name": answer.name,
         "value": answer.value if math.isfinite(answer.value) else None,
@@ -113,6 +119,8 @@ def _answer(answer: kp.Answer) -> dict[str, Any]:
             "expected": check.expected,
             "measured": check.measured,
             "difference": check.difference,
+            "judged_by": check.of or "measured",
+            "agrees": check.agrees,
             "how": check.how,
         },
     }

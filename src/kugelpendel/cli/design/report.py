@@ -41,14 +41,16 @@ _LARGE = {"Pa": ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa")), "W": ((1.0, "W"), (1
 
 def print_design(questions: Questions, design: kp.Design) -> None:
     """Print the numbers, group by group, and then where they come from."""
-    case = design.case
-    lines = [("Pendulum", describe_pendulum(case.pendulum, questions.has_mass))]
-    swing = f"a = {as_given(case.a, 'm')}, b = {as_given(case.b, 'm')}"
-    angle = math.degrees(math.asin(case.a / case.length))
+    lines = [("Pendulum", describe_pendulum(design.pendulum, questions.has_mass))]
+    swing = f"a = {as_given(design.a, 'm')}, b = {as_given(design.b, 'm')}"
+    angle = math.degrees(math.asin(design.a / float(design.pendulum.length)))
     lines.append(("Swing", f"{swing}, {significant(angle, 4)}° to either side"))
-    if case.site is not None:
-        place = f"latitude {degrees(float(case.site.latitude))}"
-        lines.append(("Site", f"{place}, g = {float(case.site.gravity):.6g} m/s²"))
+    if design.forces.site is not None:
+        place = f"latitude {degrees(float(design.forces.site.latitude))}"
+        lines.append(("Site", f"{place}, g = {float(design.forces.site.gravity):.6g} m/s²"))
+    for name, key in (("Clamp alone", "turning_by_anisotropy"), ("All together", "settled_rate")):
+        if key in design:
+            lines.append((name, design[key].note))
     for name, text in lines:
         print(f"{name:<19}{text}")
     for group, answers in groupby(design.answers, key=lambda answer: answer.group):
@@ -57,7 +59,7 @@ def print_design(questions: Questions, design: kp.Design) -> None:
         print_table(table)
 
 
-def _numbers(title: str, answers: list[kp.Answer]) -> Table:
+def _numbers(title: str, answers: list[kp.DesignAnswer]) -> Table:
     table = plain_table(title, "By formula", "By RealMotion", "Off by")
     table.columns[0].min_width = 38
     for answer in answers:
@@ -69,9 +71,11 @@ def _numbers(title: str, answers: list[kp.Answer]) -> Table:
     return table
 
 
-def _off(check: kp.Check) -> str:
-    """By how much the formula misses; a check of another case says nothing of the value itself."""
-    return "–" if check.relative is None else spell_percent(-check.relative)
+def _off(check: kp.DesignCheck) -> str:
+    """By how much the formula misses, of the number by RealMotion unless it says of what."""
+    if check.relative is None:
+        return "–"
+    return spell_percent(-check.relative) + (f" of {check.of}" if check.of else "")
 
 
 def _sources(design: kp.Design) -> tuple[Table, Table]:
@@ -96,7 +100,7 @@ def _sources(design: kp.Design) -> tuple[Table, Table]:
     return formulas, sources
 
 
-def shown(value: float, answer: kp.Answer) -> str:
+def shown(value: float, answer: kp.DesignAnswer) -> str:
     """A value in the units that a reader takes in at a glance."""
     unit = answer.unit
     if math.isinf(value):

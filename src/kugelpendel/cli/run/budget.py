@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kugelpendel.observables import CAUSES
+from kugelpendel.motion import CAUSES
 from kugelpendel.spelling import rate_unit, significant, spell
 
 if TYPE_CHECKING:
-    from kugelpendel.observables import Shares, Stretch
+    from kugelpendel.motion import PrecessionBudget, Stretch
 
 _NAMES = {
     "earth": "the Earth",
@@ -26,7 +26,7 @@ _LISTED = 4
 """Stretches that are told one by one."""
 
 
-def shares_table(shares: Shares) -> list[str]:
+def shares_table(shares: PrecessionBudget) -> list[str]:
     """Mean, least and most of each share, and what it is where the plane is slowest and fastest."""
     total = shares.total
     unit = rate_unit(float(np.abs(total).max()))
@@ -46,7 +46,7 @@ def shares_table(shares: Shares) -> list[str]:
     return [f"{row[0]:<17}" + "".join(f"{cell:>12}" for cell in row[1:]) for row in rows]
 
 
-def describe_pace(shares: Shares, ideal: float) -> list[str]:
+def describe_pace(shares: PrecessionBudget, ideal: float) -> list[str]:
     """Where the plane hurries, lags and stalls against the Earth, and by what."""
     stretches = shares.stretches()
     if not ideal:

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kugelpendel.cli.run.clamp import clamp_notes
 from kugelpendel.cli.run.ideal_json import describe_start, to_json
-from kugelpendel.observables import CAUSES
+from kugelpendel.motion import CAUSES
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -16,7 +17,8 @@ if TYPE_CHECKING:
     import kugelpendel as kp
     from kugelpendel.cli.job_file.job import Job
     from kugelpendel.cli.run.real import RealResults
-    from kugelpendel.observables import RealSummary, Shares
+    from kugelpendel.motion import PrecessionBudget
+    from kugelpendel.observables import RealSummary
 
 _ABOUT = (
     "kugelpendel: a real pendulum, full equations; SI units, named in the keys; azimuths, b and "
@@ -52,6 +54,7 @@ def real_json(job: Job, found: RealResults, files: Sequence[str]) -> str:
         "swing": _swing(seen),
         "shares": None if told.shares is None else _shares(told.shares),
         "why_no_shares": told.why_not or None,
+        "clamp": clamp_notes(job) or None,
         "averaged_equations": {
             "full_less_averaged_azimuth_at_the_end_rad": told.apart,
             "caution": told.caution or None,
@@ -162,7 +165,7 @@ def _swing(seen: RealSummary) -> dict[str, Any]:
     }
 
 
-def _shares(shares: Shares) -> dict[str, Any]:
+def _shares(shares: PrecessionBudget) -> dict[str, Any]:
     total = shares.total
     way = float(np.sign(shares.earth.mean())) or 1.0
     slow, fast = int(np.argmin(way * total)), int(np.argmax(way * total))

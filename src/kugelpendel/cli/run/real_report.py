@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kugelpendel.cli.run.budget import describe_pace, shares_table
+from kugelpendel.cli.run.clamp import clamp_notes, describe_clamp
 from kugelpendel.cli.terminal.describe import describe_launch, describe_pendulum
 from kugelpendel.cli.terminal.describe_forces import describe_forces
 from kugelpendel.spelling import minus, significant, spell, spell_percent, spell_rate
@@ -37,7 +38,7 @@ def real_report(job: Job, found: RealResults) -> str:
         "",
         *(f"{name:<19}{value:<21}  {meaning}".rstrip() for name, value, meaning in rows),
         "",
-        *_why(found),
+        *_why(job, found),
     ]
     ending = _ending(job, found)
     return "\n".join([*lines, "", ending] if ending else lines)
@@ -126,7 +127,12 @@ def _tension(job: Job, seen: RealSummary) -> _Row:
     return ("Tension", f"{least} to {most} N", note)
 
 
-def _why(found: RealResults) -> list[str]:
+def _turned(seen: RealSummary) -> float:
+    azimuth = seen.apsides.azimuth
+    return float(azimuth[-1] - azimuth[0])
+
+
+def _why(job: Job, found: RealResults) -> list[str]:
     told = found.explanation
     if found.summary.revolutions is not None:
         return ["What turns a plane is not asked of a circle; give the launch another b for that."]
@@ -138,6 +144,7 @@ def _why(found: RealResults) -> list[str]:
     apart = spell(abs(told.apart), "rad", 2)
     sentences = [
         *describe_pace(told.shares, found.summary.foucault_rate),
+        *describe_clamp(clamp_notes(job), _turned(found.summary)),
         "These shares are those of the averaged equations, whose plane ends "
         f"{apart} from that of the full ones.",
         told.caution,

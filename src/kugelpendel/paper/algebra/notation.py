@@ -1,12 +1,12 @@
-"""Reads the paper's LaTeX into what the proofs judge.
+"""What the paper's LaTeX says, as SymPy: the judge's reading of the tree that is typeset.
 
-Read, not retyped: the formula that a document shows and the one that is proved are the same text.
-Only what the paper uses is understood; anything else is a NotationError.
+A formula is read once, by `kugelpendel.paper.typeset.tex`; every document is written from that
+tree, and this module gives the same tree its meaning. So nothing can be shown and not be proved:
+what has no meaning in the paper's notation is a NotationError, even where it could be typeset.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
@@ -24,16 +24,26 @@ from kugelpendel.paper.algebra.sympy_names import (
     sin,
     sqrt,
 )
-
-_TOKEN = re.compile(
-    r""
-    r"\\begin\{pmatrix\}|\\end\{pmatrix\}|\\vec\{e\}_(?:\\?[a-z]+)|\\d?dot\{\\vec\{r\}\}|\\vec\{[a-zL]\}"
-    r""
-    r"|\\d?dot\{\\?[a-z]+\}|\\omega_0|L_[xyz]|[xy]'|\\[A-Za-z]+|\\[\\{}]|[0-9]+|[a-zA-Z]|[-+=^(){}\[\]/&|]"
+from kugelpendel.paper.typeset import tex
+from kugelpendel.paper.typeset.tex import (
+    Accent,
+    Atom,
+    Fence,
+    Fraction,
+    MathList,
+    Matrix,
+    Node,
+    Root,
+    Script,
 )
-_SKIPPED = {r"\left", r"\right", r"\quad", "&"}
-_CLOSING = {"(": ")", "[": "]", r"\{": r"\}", "{": "}"}
-_RELATIONS = {"=": "=", r"\approx": "≈", r"\ll": "≪"}
+
+_RELATIONS = frozenset("=≈≪")
+_PAIRS = {("(", ")"), ("[", "]"), ("{", "}")}
+_DOTS = Atom("identifier", "…")
+_TIMES, _SLASH, _DOT = (Atom("operator", sign) for sign in "×/·")
+_TIME = Atom("identifier", "t")
+_DERIVATIVE = Fraction(Atom("identifier", "d"), MathList((Atom("identifier", "d"), _TIME)))
+_FUNCTIONS: dict[str, Callable[[Expr], Expr]] = {"sin": sin, "cos": cos}
 
 
 class NotationError(ValueError):
@@ -60,163 +70,205 @@ class Relation:
 
 @cache
 def read(latex: str, lhs: Expr | None = None) -> Relation:
-    """The relation that the LaTeX says; `lhs` where it starts with "="."""
-    reader = _Reader(latex)
-    left = reader.expression() if reader.peek() not in _RELATIONS else lhs
+    """Give the relation that the LaTeX says.
+
+    Parameters
+    ----------
+    latex
+        A formula in the paper's notation.
+    lhs
+        The left-hand side of a line that begins with its relation sign.
+
+    Raises
+    ------
+    NotationError
+        The formula cannot be read, or it means nothing in the paper's notation.
+    """
+    try:
+        items = _without_spaces(tex.read(latex).items)
+    except tex.UnknownTeX as error:
+        raise NotationError(str(error)) from error
+    reading = _Reading(latex)
+    signs = [place for place, item in enumerate(items) if _operator(item) in _RELATIONS]
+    if not signs:
+        return Relation(reading.expression(items), "", Integer(0))
+    if len(signs) > 1:
+        raise reading.refused("has two relations where there should be one")
+    (at,) = signs
+    left = reading.expression(items[:at]) if at else lhs
     if left is None:
-        raise NotationError(f"{latex!r} continues a line, but none comes before it.")
-    if reader.peek() == "":
-        return Relation(left, "", Integer(0))
-    op = reader.take()
-    if op not in _RELATIONS:
-        raise NotationError(f"{latex!r} has {op!r} where a relation should stand.")
-    right = reader.expression()
-    if reader.peek() != "":
-        raise NotationError(f"{latex!r} goes on with {reader.peek()!r} after its right-hand side.")
-    return Relation(left, _RELATIONS[op], right)
+        raise reading.refused("continues a line, but none comes before it")
+    return Relation(left, _operator(items[at]), reading.expression(items[at + 1 :]))
 
 
-class _Reader:
-    """One formula, token by token."""
+def _operator(item: Node) -> str:
+    return item.text if isinstance(item, Atom) and item.kind == "operator" else ""
+
+
+def _without_spaces(items: tuple[Node, ...]) -> tuple[Node, ...]:
+    """Leave out what TeX only moves apart; nothing else is left out."""
+    return tuple(item for item in items if not (isinstance(item, Atom) and item.kind == "space"))
+
+
+def _single(latex: str) -> Node:
+    (node,) = tex.read(latex).items
+    return node
+
+
+_QUANTITIES: dict[Node, Expr] = {
+    _single(latex): meaning for latex, meaning in {**SYMBOL, **VECTORS}.items()
+}
+_ANGLES = tuple(_single(latex) for latex in (r"\theta", r"\phi"))
+_FREQUENCIES = tuple(_single(latex) for latex in (r"\omega", r"\omega_0", r"\Omega"))
+
+
+class _Reading:
+    """The meaning of one formula's tree, part by part."""
 
     def __init__(self, latex: str):
         self._latex = latex
-        rest = _TOKEN.sub("", latex)
-        if rest.strip():
-            raise NotationError(f"{latex!r} has {rest.strip()[0]!r}, which the paper does not use.")
-        self._tokens = [token for token in _TOKEN.findall(latex) if token not in _SKIPPED]
         self._basis = SPHERICAL if r"\theta" in latex else CARTESIAN
 
-    def peek(self, ahead: int = 0) -> str:
-        """The next token, "" at the end."""
-        return self._tokens[ahead] if ahead < len(self._tokens) else ""
+    def refused(self, why: str) -> NotationError:
+        return NotationError(f"{self._latex!r} {why}.")
 
-    def take(self, wanted: str = "") -> str:
-        """The next token, which must be the wanted one."""
-        if not self._tokens or (wanted and self._tokens[0] != wanted):
-            raise NotationError(
-                f"{self._latex!r}: {wanted or 'more'} expected, {self.peek()!r} found."
-            )
-        return self._tokens.pop(0)
-
-    def expression(self) -> Expr:
+    def expression(self, items: tuple[Node, ...]) -> Expr:
         """A sum; "+ …" at its end stands for what the step says is neglected."""
-        terms: list[Expr] = []
-        sign = 1
-        if self.peek() in ("+", "-"):
-            sign = -1 if self.take() == "-" else 1
-        while True:
-            if self.peek() == r"\dots":
-                self.take()
+        signed: list[tuple[int, list[Node]]] = [(1, [])]
+        for at, item in enumerate(_without_spaces(items)):
+            sign = {"+": 1, "−": -1}.get(_operator(item))
+            if sign is None:
+                signed[-1][1].append(item)
+            elif at == 0:
+                signed = [(sign, [])]
             else:
-                terms.append(Mul(sign, self._product()))
-            if self.peek() not in ("+", "-"):
-                return Add(*terms)
-            sign = -1 if self.take() == "-" else 1
+                signed.append((sign, []))
+        if len(signed) > 1 and signed[-1] == (1, [_DOTS]):
+            del signed[-1]
+        return Add(*(Mul(sign, self._product(tuple(term))) for sign, term in signed))
 
-    def _product(self) -> Expr:
-        value = self._power()
-        while True:
-            token = self.peek()
-            if token in (
-                "",
-                "+",
-                "-",
-                "&",
-                "|",
-                r"\\",
-                r"\dots",
-                *_RELATIONS,
-                *_CLOSING.values(),
-            ) or (token == r"\end{pmatrix}"):
-                return value
-            if token == "/":
-                self.take()
-                value = Mul(value, Pow(self._power(), -1))
-            elif token == r"\times":
-                self.take()
-                value = _cross(value, self._power())
-            elif token == r"\cdot":
-                self.take()
+    def _product(self, items: tuple[Node, ...]) -> Expr:
+        """Factors side by side, or with one sign between two of them."""
+        value, at = self._factor(items, 0)
+        while at < len(items):
+            sign = items[at]
+            if sign == _TIMES:
+                factor, at = self._factor(items, at + 1)
+                value = _cross(value, factor)
+            elif sign == _SLASH:
+                factor, at = self._factor(items, at + 1)
+                if at < len(items):
+                    raise self.refused("does not tell how much of it stands below the /")
+                value = Mul(value, Pow(factor, -1))
+            elif sign == _DOT:
+                factor, at = self._factor(items, at + 1)
+                value = Mul(value, factor)
             else:
-                value = Mul(value, self._power())
-
-    def _power(self) -> Expr:
-        base = self._atom()
-        if self.peek() != "^":
-            return base
-        self.take()
-        return Pow(base, self._exponent())
-
-    def _exponent(self) -> Expr:
-        token = self.take()
-        if token == "{":
-            token = self.take()
-            self.take("}")
-        if not token.isdigit():
-            raise NotationError(f"{self._latex!r} has the exponent {token!r}, not a number.")
-        return Integer(int(token))
-
-    def _atom(self) -> Expr:
-        token = self.take()
-        if token.isdigit():
-            return Integer(int(token))
-        if token in _CLOSING:
-            value = self.expression()
-            self.take(_CLOSING[token])
-            return value
-        if token == "|":
-            value = self.expression()
-            self.take("|")
-            return Abs(value)
-        if token in (r"\sin", r"\cos"):
-            return self._angle_function(sin if token == r"\sin" else cos)
-        if token == r"\sqrt":
-            return sqrt(self._group())
-        if token == r"\frac":
-            return self._fraction()
-        if token == r"\begin{pmatrix}":
-            return self._column()
-        if token in VECTORS:
-            return VECTORS[token]
-        if token in SYMBOL:
-            return SYMBOL[token]
-        raise NotationError(f"{self._latex!r} has {token!r} where a quantity should stand.")
-
-    def _group(self) -> Expr:
-        self.take("{")
-        value = self.expression()
-        self.take("}")
+                if _is_number(items[at - 1]) and _is_numeric(sign):
+                    raise self.refused("has two numbers side by side, which look like one")
+                factor, at = self._factor(items, at)
+                value = Mul(value, factor)
         return value
 
-    def _fraction(self) -> Expr:
-        if [self.peek(k) for k in range(7)] == ["{", "d", "}", "{", "d", "t", "}"]:
-            del self._tokens[:7]
-            return Ddt(self._atom())
-        above = self._group()
-        below = self._group()
-        if above.is_Integer and below.is_Integer:
-            return Rational(above, below)
-        return Mul(above, Pow(below, -1))
+    def _factor(self, items: tuple[Node, ...], at: int) -> tuple[Expr, int]:
+        """The factor that begins at a place, and the place after it."""
+        if at >= len(items):
+            raise self.refused("ends, or has a sign, where a quantity should stand")
+        node = items[at]
+        if node == _DERIVATIVE:
+            operand = items[at + 1] if at + 1 < len(items) else None
+            if isinstance(operand, Script) and operand.above is not None:
+                raise self.refused("does not tell what of a power d/dt differentiates")
+            value, after = self._factor(items, at + 1)
+            return Ddt(value), after
+        base, exponent = self._power(node)
+        if isinstance(base, Atom) and base.kind == "function":
+            angle, after = self._angle(items, at + 1)
+            if base.text not in _FUNCTIONS:
+                raise self.refused(f"has {base.text}, which the paper does not use")
+            return Pow(_FUNCTIONS[base.text](angle), exponent), after
+        return Pow(self._quantity(base), exponent), at + 1
 
-    def _angle_function(self, function: Callable[[Expr], Expr]) -> Expr:
-        exponent = Integer(1)
-        if self.peek() == "^":
-            self.take()
-            exponent = self._exponent()
-        factor = Integer(int(self.take())) if self.peek().isdigit() else Integer(1)
-        angle = SYMBOL[self.take()]
-        if self.peek() == "t":
-            angle = Mul(angle, SYMBOL[self.take()])
-        return Pow(function(Mul(factor, angle)), exponent)
+    def _power(self, node: Node) -> tuple[Node, Expr]:
+        """A base and its exponent; an index and a prime belong to the base."""
+        if not isinstance(node, Script) or node.above is None or node in _QUANTITIES:
+            return node, Integer(1)
+        base, above = node.base, node.above
+        if isinstance(above, MathList) and len(above.items) == 2:
+            mark, above = above.items
+            base = Script(base, node.below, mark)
+        elif node.below is not None:
+            base = Script(base, node.below, None)
+        if not isinstance(above, Atom) or not above.text.isdecimal() or above.text[0] == "0":
+            raise self.refused("has an exponent that is not a whole number")
+        if isinstance(base, Fraction):
+            raise self.refused("has an exponent beside a fraction without brackets")
+        return base, Integer(int(above.text))
 
-    def _column(self) -> Expr:
-        rows = [self.expression()]
-        while self.peek() == r"\\":
-            self.take()
-            rows.append(self.expression())
-        self.take(r"\end{pmatrix}")
-        return Add(*(Mul(row, unit) for row, unit in zip(rows, self._basis, strict=True)))
+    def _angle(self, items: tuple[Node, ...], at: int) -> tuple[Expr, int]:
+        """What a sine or cosine is taken of: θ, φ, or a frequency times t, perhaps with a number.
+
+        Nothing else, so that nobody has to guess where the angle ends.
+        """
+        factor = Integer(1)
+        if at < len(items) and _is_number(items[at]):
+            factor, at = self._quantity(items[at]), at + 1
+        angle = items[at] if at < len(items) else None
+        if angle in _ANGLES:
+            return Mul(factor, _QUANTITIES[angle]), at + 1
+        if angle in _FREQUENCIES and items[at + 1 : at + 2] == (_TIME,):
+            return Mul(factor, _QUANTITIES[angle], _QUANTITIES[_TIME]), at + 2
+        raise self.refused("has a sine or cosine of what is not a plain angle")
+
+    def _quantity(self, node: Node) -> Expr:
+        if node in _QUANTITIES:
+            return _QUANTITIES[node]
+        match node:
+            case Atom(kind="number", text=text) if text.isdecimal() and str(int(text)) == text:
+                return Integer(int(text))
+            case Fence("|", "|", inner):
+                return Abs(self.expression(inner.items))
+            case Fence(opening, closing, inner) if (opening, closing) in _PAIRS:
+                return self.expression(inner.items)
+            case Root(inner):
+                return sqrt(self.expression(_items(inner)))
+            case Fraction(above, below):
+                return self._fraction(above, below)
+            case Matrix(rows):
+                return self._column(rows)
+            case Atom(text=text):
+                raise self.refused(f"has {text} where a quantity of the paper should stand")
+            case Accent() | Script():
+                raise self.refused("has a letter with a mark or an index that the paper lacks")
+            case _:
+                raise self.refused("groups by braces, which cannot be seen, or by odd brackets")
+
+    def _fraction(self, above: Node, below: Node) -> Expr:
+        over, under = self.expression(_items(above)), self.expression(_items(below))
+        if over.is_Integer and under.is_Integer and under != 0:
+            return Rational(over, under)
+        return Mul(over, Pow(under, -1))
+
+    def _column(self, rows: tuple[tuple[Node, ...], ...]) -> Expr:
+        if [len(row) for row in rows] != [1, 1, 1]:
+            raise self.refused("has a matrix that is not a column of three")
+        values = [self.expression(_items(cell)) for (cell,) in rows]
+        return Add(*(Mul(value, unit) for value, unit in zip(values, self._basis, strict=True)))
+
+
+def _is_number(node: Node) -> bool:
+    return isinstance(node, Atom) and node.kind == "number"
+
+
+def _is_numeric(node: Node) -> bool:
+    """Whether this is a number, or a fraction of two that would look like part of a mixed one."""
+    if isinstance(node, Fraction):
+        return _is_number(node.above) and _is_number(node.below)
+    return _is_number(node)
+
+
+def _items(node: Node) -> tuple[Node, ...]:
+    return node.items if isinstance(node, MathList) else (node,)
 
 
 def components(vector: Expr, basis: tuple[Expr, ...]) -> tuple[Expr, ...]:

@@ -12,9 +12,9 @@ from typing import Literal
 
 from kugelpendel.paper.algebra.calculus import is_constant_multiple, is_zero
 from kugelpendel.paper.algebra.notation import Relation
+from kugelpendel.paper.checks.mutants import Mutant, mutants
 from kugelpendel.paper.derivation.graph import FORMULAS, formula, premises, right
 from kugelpendel.paper.derivation.model import Formula, Row
-from kugelpendel.paper.proofs.mutants import Mutant, mutants
 
 Verdict = Literal["killed", "equal", "survivor"]
 Progress = Callable[[int, int, Row], None]

@@ -128,6 +128,30 @@ class Formula:
         return self.printed != self.right
 
 
+def claim(
+    label: str,
+    right: str,
+    step: Step,
+    proof: Proof,
+    *,
+    printed: str = "",
+    number: str = "",
+    head: str = "",
+) -> Formula:
+    """A formula of the paper; `printed` only where it differs, the section by its number."""
+    return Formula(
+        label, section_of(label), printed or right, right, step, proof, number=number, head=head
+    )
+
+
+def section_of(label: str) -> int:
+    """The paper's section: (1) to (5c), (6) to (13), (16), (17) to (26)."""
+    count = int("".join(q if q.isdigit() else " " for q in label).split()[0])
+    if label.startswith("5.") or 6 <= count <= 13:
+        return 2
+    return 1 if count <= 5 else 3 if count <= 16 else 4
+
+
 @dataclass(frozen=True)
 class Row:
     """What `check` found for one formula.

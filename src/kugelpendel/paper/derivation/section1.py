@@ -10,14 +10,13 @@ from kugelpendel.paper.algebra.notation import Relation, components
 from kugelpendel.paper.algebra.symbols import VECTORS
 from kugelpendel.paper.algebra.sympy_names import Add, Expr, Matrix, Rational, cos, diff, sin, sqrt
 from kugelpendel.paper.derivation import conditions as c
-from kugelpendel.paper.derivation.model import Formula, Kind, Step
+from kugelpendel.paper.derivation.model import Formula, Kind, Step, claim
 from kugelpendel.paper.proofs.numeric import in_world
 from kugelpendel.paper.proofs.symbolic import (
     Premises,
     Proof,
     Rules,
     Symbolic,
-    claim,
     continued,
     follows,
     given,

@@ -7,13 +7,12 @@ from kugelpendel.paper.algebra.calculus import small, taylor, truncated
 from kugelpendel.paper.algebra.notation import Relation
 from kugelpendel.paper.algebra.sympy_names import Add, Expr, sqrt
 from kugelpendel.paper.derivation import conditions as c
-from kugelpendel.paper.derivation.model import Formula, Kind, Step
+from kugelpendel.paper.derivation.model import Formula, Kind, Step, claim
 from kugelpendel.paper.proofs.numeric import in_world, to_order
 from kugelpendel.paper.proofs.symbolic import (
     Premises,
     Proof,
     Rules,
-    claim,
     continued,
     follows,
     given,

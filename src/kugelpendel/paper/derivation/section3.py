@@ -7,9 +7,9 @@ from kugelpendel.paper.algebra.calculus import small, truncated
 from kugelpendel.paper.algebra.notation import Relation
 from kugelpendel.paper.algebra.sympy_names import Expr, diff
 from kugelpendel.paper.derivation import conditions as c
-from kugelpendel.paper.derivation.model import Formula, Kind, Step
+from kugelpendel.paper.derivation.model import Formula, Kind, Step, claim
 from kugelpendel.paper.proofs.numeric import in_world
-from kugelpendel.paper.proofs.symbolic import Premises, Proof, claim
+from kugelpendel.paper.proofs.symbolic import Premises, Proof
 from kugelpendel.paper.proofs.worlds import linear
 
 _LINEAR = in_world(linear)

@@ -10,7 +10,7 @@ from kugelpendel.paper.algebra.dimensions import is_homogeneous
 from kugelpendel.paper.algebra.notation import Relation
 from kugelpendel.paper.algebra.sympy_names import Abs, Add, Expr, I, cos, expand, sin
 from kugelpendel.paper.derivation import conditions as c
-from kugelpendel.paper.derivation.model import Formula, Kind, Step
+from kugelpendel.paper.derivation.model import Formula, Kind, Step, claim
 from kugelpendel.paper.proofs.numeric import first_harmonics, in_world, much_less, to_order
 from kugelpendel.paper.proofs.symbolic import (
     Premises,
@@ -18,7 +18,6 @@ from kugelpendel.paper.proofs.symbolic import (
     Rules,
     Symbolic,
     both,
-    claim,
     continued,
     follows,
     given,

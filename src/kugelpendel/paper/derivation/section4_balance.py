@@ -8,13 +8,12 @@ from kugelpendel.paper.algebra.notation import Relation
 from kugelpendel.paper.algebra.symbols import Ddt
 from kugelpendel.paper.algebra.sympy_names import Expr, cos, expand, sin, solve
 from kugelpendel.paper.derivation import conditions as c
-from kugelpendel.paper.derivation.model import Formula, Kind, Step
+from kugelpendel.paper.derivation.model import Formula, Kind, Step, claim
 from kugelpendel.paper.proofs.numeric import first_harmonics, in_world, to_order
 from kugelpendel.paper.proofs.symbolic import (
     Premises,
     Proof,
     Symbolic,
-    claim,
     continued,
     follows,
     identity,

@@ -27,11 +27,12 @@ class Box:
 
     Attributes
     ----------
-    label : str
-    style : str
+    label
+        The equation's label, which stands in the box.
+    style
         CSS classes, such as "numbered" or "misprint".
-    hint : str
-        Shown where the pointer rests.
+    hint
+        A sentence that is shown where the pointer rests.
     """
 
     label: str
@@ -44,17 +45,16 @@ def draw(boxes: Sequence[Box], premises: Mapping[str, Sequence[str]], title: str
 
     Parameters
     ----------
-    boxes : sequence of Box
-        In an order where premises come first.
-    premises : mapping from str to sequence of str
+    boxes
+        The equations, in an order where premises come first.
+    premises
         The labels that each label rests on; those without a box are left out.
-    title : str
+    title
         What the picture shows, for those who do not see it.
 
     Returns
     -------
-    str
-        An ``svg`` element; each box links to ``#eq-LABEL``.
+    An ``svg`` element; each box links to ``#eq-LABEL``.
     """
     known = {box.label for box in boxes}
     edges = [

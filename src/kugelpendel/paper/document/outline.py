@@ -21,13 +21,13 @@ class Derivation:
 
     Attributes
     ----------
-    formulas : tuple of Formula
-        All, in the paper's order.
-    misprints : tuple of Misprint
-        All, in the paper's order.
-    evidence : callable
-        From the key of a misprint to the smallest counterexample: LaTeX of its values, and of what
-        the equality fails by there; None where a number says nothing.
+    formulas
+        All formulas, in the paper's order.
+    misprints
+        All misprints, in the paper's order.
+    evidence
+        A function from the key of a misprint to the smallest counterexample: LaTeX of its values,
+        and of what the equality fails by there; None where a number says nothing.
     """
 
     formulas: tuple[Formula, ...]
@@ -54,23 +54,23 @@ class Display:
 
     @property
     def is_numbered(self) -> bool:
-        """Whether the paper gives it a number."""
+        """Tell whether the paper gives it a number."""
         return any(line.formula.number for line in self.lines)
 
     @property
     def has_wrong_formula(self) -> bool:
-        """Whether one of its formulas is printed wrongly."""
+        """Tell whether one of its formulas is printed wrongly."""
         return any(line.formula.is_misprinted for line in self.lines)
 
     @property
     def steps(self) -> tuple[tuple[tuple[Line, ...], Step], ...]:
-        """Its steps, each with the lines that it leads to."""
+        """Give its steps, each with the lines that it leads to."""
         grouped = groupby(self.lines, key=lambda line: line.formula.step)
         return tuple((tuple(lines), step) for step, lines in grouped)
 
     @property
     def conditions(self) -> tuple[Condition, ...]:
-        """What its steps need, each condition once, however many lines need it."""
+        """Give what its steps need, each condition once, however many lines need it."""
         needed = {one.key: one for _, step in self.steps for one in step.conditions}
         return tuple(needed.values())
 
@@ -91,9 +91,9 @@ class Document:
 
     Attributes
     ----------
-    target : str
+    target
         The label that the document leads to, "" for the whole derivation.
-    conditions : tuple
+    conditions
         Each condition once, with the displays that need it.
     """
 
@@ -106,31 +106,31 @@ class Document:
 
     @property
     def displays(self) -> tuple[Display, ...]:
-        """All displays in order."""
+        """Give all displays in order."""
         return tuple(display for chapter in self.chapters for display in chapter.displays)
 
     def shows(self, label: str) -> bool:
-        """Whether a display or formula stands in this document."""
+        """Tell whether a display or formula stands in this document."""
         return any(
             label == display.label or any(label == line.formula.label for line in display.lines)
             for display in self.displays
         )
 
     def name(self, label: str) -> str:
-        """How a label is written: (5a), (10.7) line 2, (2) x."""
+        """Write a label as a reference: (5a), (10.7) line 2, (2:x)."""
         display, _, part = label.partition(":")
         if not part:
             return f"({display})"
         return f"({display}) {self.words.ui('line')} {part}" if part.isdigit() else f"({label})"
 
     def title(self) -> str:
-        """The title, of the whole or of a part."""
+        """Give the title, of the whole or of a part."""
         if not self.target:
             return self.words.title()
         return self.words.ui("rests_on", self.name(self.target))
 
     def lead(self) -> str:
-        """What stands under the title of a part: how many formulas lead to its target."""
+        """Say below the title of a part how many formulas lead to its target."""
         ui = self.words.ui
         name = self.name(self.target)
         shown, _, _ = counts(self)
@@ -139,17 +139,17 @@ class Document:
         return ui("rests_on_lead", shown, len(self.derivation.formulas), name)
 
     def part(self, label: str) -> str:
-        """How a formula is named within its display: line 2, x."""
+        """Name a formula within its display: line 2, x."""
         part = label.partition(":")[2]
         return f"{self.words.ui('line')} {part}" if part.isdigit() else part
 
     def explains(self, condition: Condition, display: Display) -> bool:
-        """Whether a display is the first that needs a condition, and says what follows without."""
+        """Tell whether a display is the first that needs a condition, and so explains it."""
         first = {one.key: where[0] for one, where in self.conditions}
         return bool(condition.consequence) and first[condition.key] == display.label
 
     def used_in(self, display: Display) -> tuple[str, ...]:
-        """The displays whose steps stand on this one."""
+        """Give the displays whose steps stand on this one."""
         own = {display.label, *(line.formula.label for line in display.lines)}
         return tuple(
             other.label
@@ -160,7 +160,7 @@ class Document:
 
 
 def premises(formulas: Sequence[Formula]) -> dict[str, tuple[str, ...]]:
-    """The displays that each display rests on."""
+    """Find the displays that each display rests on."""
     found: dict[str, dict[str, None]] = {}
     for formula in formulas:
         before = found.setdefault(formula.display, {})
@@ -176,12 +176,13 @@ def compose(derivation: Derivation, language: str, labels: Sequence[str], target
 
     Parameters
     ----------
-    derivation : Derivation
-    language : str
+    derivation
+        What the document is made of.
+    language
         "de" or "en".
-    labels : sequence of str
+    labels
         The formulas to show; all others are left out.
-    target : str
+    target
         The label that they lead to, "" for the whole derivation.
     """
     text = words(language)
@@ -241,11 +242,11 @@ def _conditions(formulas: Sequence[Formula]) -> tuple[tuple[Condition, tuple[str
 
 
 def counts(document: Document) -> tuple[int, int, int]:
-    """How many formulas, displays and misprints the document has."""
+    """Count the formulas, displays and misprints of the document."""
     displays = document.displays
     return sum(len(display.lines) for display in displays), len(displays), len(document.misprints)
 
 
 def graph(document: Document) -> Mapping[str, tuple[str, ...]]:
-    """What each display of the document rests on."""
+    """Find what each display of the document rests on."""
     return premises([line.formula for display in document.displays for line in display.lines])

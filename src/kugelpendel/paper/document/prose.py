@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from kugelpendel.paper.typeset.unicode import plain
+
 _SPAN = re.compile(
     r"\$(?P<math>[^$]+)\$|\{(?P<link>[^{}]+)\}|\*(?P<stress>[^*]+)\*|`(?P<code>[^`]+)`"
 )
@@ -16,7 +18,7 @@ class Span:
 
     Attributes
     ----------
-    kind : str
+    kind
         "text", "math" (LaTeX), "link" (a label), "stress" or "code".
     """
 
@@ -37,3 +39,17 @@ def spans(sentence: str) -> tuple[Span, ...]:
     if end < len(sentence):
         found.append(Span("text", sentence[end:]))
     return tuple(found)
+
+
+def sentence(source: str) -> str:
+    """Write a sentence of the wording as plain text, with references in brackets."""
+    written_spans: list[str] = []
+    for span in spans(source):
+        match span.kind:
+            case "math":
+                written_spans.append(plain(span.text))
+            case "link":
+                written_spans.append(f"({span.text})")
+            case _:
+                written_spans.append(span.text)
+    return "".join(written_spans)

@@ -1,167 +1,145 @@
-"""The derivation as text for a terminal."""
+"""The derivation as text for a terminal: the Markdown through rich, with formulas in Unicode."""
 
 from __future__ import annotations
 
-from textwrap import fill
-from typing import TYPE_CHECKING
+import math
+from io import StringIO
+from typing import TYPE_CHECKING, ClassVar
 
-from kugelpendel.paper.document.outline import counts
-from kugelpendel.paper.document.prose import spans
-from kugelpendel.paper.document.tables import conditions, fate, in_words, misprints, reasons
+from markdown_it.token import Token
+from rich.console import Console
+from rich.containers import Renderables
+from rich.markdown import BlockQuote, Heading, Markdown, MarkdownElement
+from rich.padding import Padding
+from rich.text import Text
+
+from kugelpendel.paper.document import markdown
+from kugelpendel.paper.document.dialect import has_class, tokens, without_tables
 from kugelpendel.paper.typeset import unicode
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Iterator
 
-    from kugelpendel.paper.document.outline import Display, Document, Line
+    from rich.console import ConsoleOptions, RenderResult
+    from rich.markdown import MarkdownContext
+    from rich.text import TextType
 
-
-def write(document: Document, width: int = 80) -> str:
-    """Write the whole text, `width` signs wide."""
-    return "\n".join(_Text(document, width).parts()) + "\n"
-
-
-class TextPen:
-    """Sentences, formulas and references as plain text."""
-
-    def __init__(self, document: Document) -> None:
-        self._document = document
-
-    def say(self, sentence: str) -> str:
-        """A sentence of the wording."""
-        return "".join(
-            self.links([span.text])
-            if span.kind == "link"
-            else self.math(span.text)
-            if span.kind == "math"
-            else span.text
-            for span in spans(sentence)
-        )
-
-    def math(self, latex: str) -> str:
-        """A formula."""
-        return unicode.plain(latex)
-
-    def values(self, formulas: Sequence[str]) -> str:
-        """Formulas, separated by commas."""
-        return ", ".join(self.math(formula) for formula in formulas)
-
-    def links(self, labels: Sequence[str]) -> str:
-        """References, separated by commas."""
-        return ", ".join(self._document.name(label) for label in labels)
+    from kugelpendel.paper.document.outline import Document
 
 
-class _Text:
-    def __init__(self, document: Document, width: int) -> None:
-        self._document = document
-        self._words = document.words
-        self._ui = document.words.ui
-        self._width = width
-        self._pen = TextPen(document)
+def write(document: Document, width: int = 80, coloured: bool = False) -> str:
+    """Write the whole text.
 
-    def parts(self) -> list[str]:
-        document, words, ui = self._document, self._words, self._ui
-        is_whole = not document.target
-        under = words.subtitle() if is_whole else document.lead()
-        lines = [document.title(), "=" * len(document.title()), "", *self._wrapped(under)]
-        lines.extend([ui("counts", *counts(document))])
-        if is_whole:
-            for name in ("introduction", "conventions"):
-                lines.extend(self._headed(ui(name)))
-                for one in words.paragraphs(name):
-                    lines.extend([*self._wrapped(self._pen.say(one)), ""])
-        for chapter in document.chapters:
-            lines.extend(self._headed(f"{chapter.number} {chapter.title}"))
-            lines.extend(self._wrapped(self._pen.say(chapter.lead)) if is_whole else [])
-            for display in chapter.displays:
-                lines.extend(self._display(display))
-        if is_whole:
-            lines.extend(self._headed(ui("closing")))
-            for one in words.paragraphs("closing"):
-                lines.extend([*self._wrapped(self._pen.say(one)), ""])
-        if document.misprints:
-            lines.extend(self._headed(ui("misprints")))
-            lines.extend(listed(misprints(document, self._pen), self._width))
-        if document.conditions:
-            lines.extend(self._headed(ui("conditions")))
-            lines.extend(listed(conditions(document, self._pen), self._width))
-        return lines
-
-    def _headed(self, title: str) -> list[str]:
-        return ["", title, "-" * len(title), ""]
-
-    def _wrapped(self, text: str, indent: str = "") -> list[str]:
-        return fill(text, self._width, initial_indent=indent, subsequent_indent=indent).splitlines()
-
-    def _display(self, display: Display) -> list[str]:
-        lines = ["", *self._wrapped(f"({display.label})  {self._pen.say(display.say)}"), ""]
-        for line in display.lines:
-            lines.extend(self._line(line))
-        lines.extend(self._steps(display))
-        return lines
-
-    def _line(self, line: Line) -> list[str]:
-        formula, ui = line.formula, self._ui
-        lines = self._wrapped(self._pen.say(line.say), "    ") if line.say else []
-        lines.extend(self._formula(formula.right))
-        if not (formula.is_misprinted or line.misprints):
-            return lines
-        lines.append(f"    ! {ui('misprint')}")
-        if formula.is_misprinted:
-            lines.append(f"    ! {ui('printed')}:")
-            lines.extend(f"    !{text}" for text in self._formula(formula.printed))
-        for one in line.misprints:
-            text = f"{self._words.misprint_kind(one.kind)}. "
-            if in_words(one):
-                printed = self._pen.say(self._words.printed(one))
-                right = self._pen.say(self._words.right(one))
-                text += f"{ui('printed')}: {printed} {ui('right')}: {right} "
-            text += reasons(one, self._document, self._pen)
-            text += f" {fate(one, self._document, self._pen)}"
-            lines.extend(self._wrapped(text, "    ! "))
-        return lines
-
-    def _formula(self, latex: str) -> list[str]:
-        first, *others = unicode.broken(latex, self._width - 12)
-        return [f"      {first}", *(f"          {line}" for line in others)]
-
-    def _steps(self, display: Display) -> list[str]:
-        words, ui = self._words, self._ui
-        lines: list[str] = []
-        for covered, step in display.steps:
-            head = ""
-            if len(covered) < len(display.lines):
-                head = ", ".join(self._document.part(line.formula.label) for line in covered) + ": "
-            text = f"{head}{words.kind(step.kind)}"
-            text += f", {ui('from')} {self._pen.links(step.premises)}" if step.premises else ""
-            text += f", {ui('by')} {self._pen.math(step.detail)}" if step.detail else ""
-            if step.neglected:
-                terms = f"{words.neglected(step.kind)} {self._pen.math(step.neglected)}"
-                text += f". {ui('neglected')}: {terms}"
-            lines.extend(self._wrapped(f"– {text}.", "    "))
-        for one in display.conditions:
-            latex = f" {self._pen.math(one.latex)}" if one.latex else ""
-            silent = f" ({ui('silent_long')})" if one.silent else ""
-            text = f"{ui('condition')}{latex}: {self._pen.say(words.condition(one.key))}{silent}"
-            if self._document.explains(one, display):
-                told = self._pen.say(words.consequence(one.consequence))
-                text += f" {words.fate(one.consequence)}: {told}"
-            lines.extend(self._wrapped(text, "        "))
-        return lines
+    Parameters
+    ----------
+    document
+        What to write.
+    width
+        The number of signs in a line.
+    coloured
+        Whether the text is for a terminal that shows colours, unless its environment forbids them.
+    """
+    return text(markdown.write(document, math.inf), width, coloured)
 
 
-def listed(rows: Sequence[Sequence[str]], width: int) -> list[str]:
-    """A table as entries below each other: name and content on each line; the first row names."""
-    head, *body = rows
-    lines: list[str] = []
-    for row in body:
-        for number, (name, cell) in enumerate(zip(head, row, strict=True)):
-            indent = "" if number == 0 else "  "
-            text = cell if number == 0 else f"{name}: {cell}"
-            lines.extend(
-                fill(
-                    text, width, initial_indent=indent, subsequent_indent=f"{indent}  "
-                ).splitlines()
-            )
-        lines.append("")
-    return lines
+def text(source: str, width: int = 80, coloured: bool = False) -> str:
+    """Write a piece of the document's Markdown as text."""
+    out = StringIO()
+    console = Console(
+        file=out, width=width, force_terminal=coloured, highlight=False, legacy_windows=False
+    )
+    console.print(_Text(source))
+    return "".join(f"{line.rstrip()}\n" for line in out.getvalue().splitlines())
+
+
+class _Title(Heading):
+    """A title with a line below it, at the left edge."""
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
+        yield self.text
+        rule = "=" if self.tag == "h1" else "-"
+        yield Text(rule * min(self.text.cell_len, options.max_width), style=self.style_name)
+
+
+class _Formula(MarkdownElement):
+    """A formula on lines of its own."""
+
+    _latex = ""
+
+    def on_text(self, context: MarkdownContext, text: TextType) -> None:
+        self._latex += str(text)
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
+        first, *others = unicode.broken(self._latex, options.max_width - 12)
+        yield Padding(Text(first, style="bold"), (0, 0, 0, 6))
+        for line in others:
+            yield Padding(Text(line, style="bold"), (0, 0, 0, 10))
+
+
+class _Group(MarkdownElement):
+    """Things that stand together, without empty lines between them."""
+
+    _indent, _style = 0, "none"
+
+    def __init__(self) -> None:
+        self._inner = Renderables()
+
+    def on_child_close(self, context: MarkdownContext, child: MarkdownElement) -> bool:
+        self._inner.append(child)
+        return False
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
+        yield Padding(self._inner, (0, 0, 0, self._indent), style=self._style)
+
+
+class _Step(_Group):
+    """How a formula follows."""
+
+    _indent, _style = 4, "dim"
+
+
+class _Misprint(BlockQuote):
+    """What is wrong in print, behind a bar."""
+
+    style_name = "red"
+
+
+class _Text(Markdown):
+    """rich's Markdown, with what the document's Markdown has beyond it."""
+
+    elements: ClassVar[dict[str, type[MarkdownElement]]] = {
+        **Markdown.elements,
+        "heading_open": _Title,
+        "fence": _Formula,
+        "blockquote_open": _Misprint,
+        "line_open": _Group,
+        "step_open": _Step,
+    }
+
+    def __init__(self, source: str) -> None:
+        super().__init__("")
+        self.parsed = list(_readable(without_tables(tokens(source))))
+
+
+def _readable(read: Iterable[Token]) -> Iterator[Token]:
+    """Leave out what only a page has (links, anchors, summaries), and write formulas as words."""
+    kept: list[str] = []
+    is_summary = False
+    for token in read:
+        if token.tag == "summary":
+            is_summary = token.nesting > 0
+        elif is_summary or token.type in ("link_open", "link_close"):
+            pass
+        elif token.tag in ("div", "details"):
+            if token.nesting > 0:
+                kept.append(next((one for one in ("line", "step") if has_class(token, one)), ""))
+            name = kept[-1] if token.nesting > 0 else kept.pop()
+            if name:
+                kind = f"{name}_open" if token.nesting > 0 else f"{name}_close"
+                yield Token(kind, token.tag, token.nesting, block=True)
+        elif token.type == "math_inline":
+            yield Token("text", "", 0, content=unicode.plain(token.content))
+        elif token.children:
+            yield from _readable(token.children)
+        else:
+            yield token

@@ -1,4 +1,4 @@
-"""The wording of the derivation in one language, read from ``wording/``."""
+"""The wording of the derivation in one language, read from ``sentences/``."""
 
 from __future__ import annotations
 
@@ -18,90 +18,85 @@ LANGUAGES = ("de", "en")
 
 @dataclass(frozen=True)
 class Words:
-    """Texts of the document; what is in them beside words is read by `_prose`.
+    """Texts of the document; `kugelpendel.paper.document.prose` reads what is not words in them.
 
     Attributes
     ----------
-    language : str
+    language
         "de" or "en".
-    tables : mapping
-        The file as it is.
+    tables
+        The file's tables as they are.
     """
 
     language: str
     tables: Mapping[str, Any]
 
     def ui(self, key: str, *values: object) -> str:
-        """A short text of the document's frame, with values in its gaps."""
+        """Give a short text of the document's frame, with values in its gaps."""
         text: str = self.tables["ui"][key]
         return text.format(*values) if values else text
 
     def title(self) -> str:
-        """The document's title."""
+        """Give the document's title."""
         return str(self.tables["title"])
 
     def subtitle(self) -> str:
-        """What stands under the title."""
+        """Give what stands under the title."""
         return str(self.tables["subtitle"])
 
     def paragraphs(self, name: str) -> tuple[str, ...]:
-        """The introduction, the conventions or the closing."""
+        """Give the introduction, the conventions or the closing."""
         return tuple(self.tables[name])
 
     def section(self, number: int) -> tuple[str, str]:
-        """Title and lead of one of the paper's sections."""
+        """Give title and lead of one of the paper's sections."""
         entry = self.tables["section"][str(number)]
         return entry["title"], entry["lead"]
 
     def kind(self, kind: str) -> str:
-        """The name of a kind of step."""
+        """Name a kind of step."""
         return str(self.tables["kind"][kind])
 
     def formula(self, label: str) -> str:
-        """What is said about a formula or a display; "" when nothing is."""
+        """Say something about a formula or a display; "" where nothing is said."""
         return str(self.tables["formula"].get(label, ""))
 
     def condition(self, key: str) -> str:
-        """A condition in words."""
+        """Say a condition in words."""
         return str(self.tables["condition"][key])
 
     def consequence(self, name: str) -> str:
-        """What happens where a condition fails, or why it holds."""
+        """Say what happens where a condition fails, or why it holds."""
         table = "holds" if self.is_met(name) else "consequence"
         return str(self.tables[table][name])
 
     def is_met(self, name: str) -> bool:
-        """Whether a condition turns out to hold by itself."""
+        """Tell whether a condition turns out to hold by itself."""
         return name in self.tables["holds"]
 
     def fate(self, name: str) -> str:
-        """What stands before the consequence."""
+        """Give what stands before the consequence."""
         return self.ui("holds" if self.is_met(name) else "fails")
 
     def neglected(self, kind: str) -> str:
-        """What stands before the terms that a kind of step neglects."""
+        """Give what stands before the terms that a kind of step neglects."""
         return self.ui("terms_with" if kind == "average" else "order")
 
-    def misprint_kind(self, kind: str) -> str:
-        """What sort of misprint it is, to begin a sentence with."""
-        text = self.ui(f"misprint_{kind}")
-        return text[:1].upper() + text[1:]
-
     def printed(self, one: Misprint) -> str:
-        """What stands in the paper, as a sentence: a formula between dollars, or German words."""
+        """Give what the paper prints, as a sentence: a formula between dollars, or German words."""
         return quoted(one.printed)
 
     def right(self, one: Misprint) -> str:
-        """What should stand there, in this language."""
+        """Give what should stand there, in this language."""
         return str(self.tables["right"].get(one.key) or quoted(one.right))
 
     def misprint(self, key: str) -> str:
-        """What is wrong, and how one knows."""
+        """Say what is wrong, and how one knows."""
         return str(self.tables["misprint"][key])
 
 
 def quoted(text: str) -> str:
-    """LaTeX between dollars, words as they are, and a dash for nothing."""
+    """Put LaTeX between dollars, leave words as they are, and write a dash for nothing."""
     if "\\" in text or "^" in text or text == "=":
         return f"${text}$"
     return text or "–"

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from kugelpendel.paper.algebra.calculus import carry_out, is_zero
 from kugelpendel.paper.algebra.notation import Relation, read
 from kugelpendel.paper.algebra.sympy_names import Expr
-from kugelpendel.paper.derivation.model import Formula, Step
 from kugelpendel.paper.proofs.numeric import Numeric
 
 Rules = dict[Expr, Expr]
@@ -144,27 +143,3 @@ def both(*several: Symbolic) -> Symbolic:
         return [e for one in several for e in one(relation, premises)]
 
     return symbolic
-
-
-def claim(
-    label: str,
-    right: str,
-    step: Step,
-    proof: Proof,
-    *,
-    printed: str = "",
-    number: str = "",
-    head: str = "",
-) -> Formula:
-    """A formula of the paper; `printed` only where it differs, the section by its number."""
-    return Formula(
-        label, section_of(label), printed or right, right, step, proof, number=number, head=head
-    )
-
-
-def section_of(label: str) -> int:
-    """The paper's section: (1) to (5c), (6) to (13), (16), (17) to (26)."""
-    count = int("".join(q if q.isdigit() else " " for q in label).split()[0])
-    if label.startswith("5.") or 6 <= count <= 13:
-        return 2
-    return 1 if count <= 5 else 3 if count <= 16 else 4

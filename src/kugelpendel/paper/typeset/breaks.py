@@ -12,10 +12,10 @@ from kugelpendel.paper.typeset.tex import (
     Fence,
     Fraction,
     Marked,
+    MathList,
     Matrix,
     Node,
     Root,
-    Row,
     Script,
 )
 
@@ -23,34 +23,44 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 Piece = tuple[Node, ...]
-"""Things that stay on one line."""
+"""What stays on one line: things side by side."""
 
-_LONG = 26
-"""How wide a piece may be before its bracket is opened; that much fits on a page of 360 px."""
+_LONG = 21
+"""How wide a piece may be before its bracket is opened.
+
+At 360 px nine formulas of 143 then are wider than the page, by 29 px at most, and scroll; with 26
+they were 21, by up to 82 px (measured in Chromium).
+"""
 
 
-def pieces(items: Piece) -> list[Piece]:
-    """Cut a row into pieces; between two of them a line may end."""
+def pieces(items: Piece, room: float = _LONG) -> list[Piece]:
+    """Cut a row into pieces; between two of them a line may end.
+
+    A piece that is wider than `room` is cut within its widest bracket, where that is possible.
+    """
     found: list[Piece] = []
     current: list[Node] = []
     for item in items:
         if is_break(item) and any(not is_break(other) for other in current):
-            found.extend(_opened(tuple(current)))
+            found.extend(_opened(tuple(current), room))
             current = []
         current.append(item)
     if found and _is_end(current):
         return [*found[:-1], (*found[-1], *current)]
-    return [*found, *_opened(tuple(current))] if current else found
+    return [*found, *_opened(tuple(current), room)] if current else found
 
 
 def lines(items: Piece, room: float) -> list[Piece]:
-    """Fill lines with pieces; `room` is a width as `width` counts it."""
-    if width(Row(items)) <= room:
+    """Fill lines with pieces; `room` is the most that `width` may count in a line.
+
+    A piece that is wider than that stands alone on its line.
+    """
+    if width(MathList(items)) <= room:
         return [items]
     found: list[list[Node]] = [[]]
     used = 0.0
     for piece in pieces(items):
-        needed = width(Row(piece))
+        needed = width(MathList(piece))
         if found[-1] and used + needed > room:
             found.append([])
             used = 0.0
@@ -60,7 +70,7 @@ def lines(items: Piece, room: float) -> list[Piece]:
 
 
 def is_break(node: Node) -> bool:
-    """Whether a line may end before this sign."""
+    """Tell whether a line may end before this sign."""
     if isinstance(node, Marked):
         return is_break(node.inner)
     if not isinstance(node, Atom) or node.kind != "operator":
@@ -69,7 +79,7 @@ def is_break(node: Node) -> bool:
 
 
 def width(node: Node) -> float:
-    """Roughly how many signs wide something is."""
+    """Estimate how many signs wide something is: a letter counts 1, + counts 2 with its spaces."""
     match node:
         case Atom(kind="space"):
             return float(node.text)
@@ -77,7 +87,7 @@ def width(node: Node) -> float:
             return 2.0 if text in "+−" or text in RELATIONS else 1.0
         case Atom(text=text):
             return len(text)
-        case Row(items):
+        case MathList(items):
             return sum(width(item) for item in items)
         case Fraction(above, below):
             return max(width(above), width(below))
@@ -99,23 +109,23 @@ def width(node: Node) -> float:
             return 0.5
 
 
-def _opened(piece: Piece) -> list[Piece]:
+def _opened(piece: Piece, room: float) -> list[Piece]:
     """Break a piece inside its widest bracket when it is too long for a narrow page."""
     fences = [item for item in piece if isinstance(item, Fence)]
-    if width(Row(piece)) <= _LONG or not fences:
+    if width(MathList(piece)) <= room or not fences:
         return [piece]
     fence = max(fences, key=width)
-    inner = pieces(fence.inner.items)
+    at = piece.index(fence)
+    inner = pieces(fence.inner.items, room - width(MathList(piece[:at])))
     if len(inner) < 2:
         return [piece]
-    at = piece.index(fence)
     is_high = _is_high(fence.inner)
     inner[0] = (*piece[:at], Bracket(fence.opening, is_high), *inner[0])
     *most, last = inner
     rest = piece[at + 1 :]
     last = (*last, Bracket(fence.closing, is_high))
     if _needs_own_line(rest):
-        return [*most, last, *_opened(rest)]
+        return [*most, last, *_opened(rest, room)]
     return [*most, (*last, *rest)]
 
 
@@ -125,14 +135,14 @@ def _is_end(piece: Sequence[Node]) -> bool:
 
 
 def _needs_own_line(rest: Sequence[Node]) -> bool:
-    return width(Row(tuple(rest))) > _LONG / 2
+    return width(MathList(tuple(rest))) > _LONG / 2
 
 
 def _is_high(node: Node) -> bool:
     match node:
         case Fraction() | Matrix():
             return True
-        case Row(items):
+        case MathList(items):
             return any(_is_high(item) for item in items)
         case Fence(inner=inner) | Marked(inner=inner):
             return _is_high(inner)

@@ -6,20 +6,29 @@ from dataclasses import fields
 from difflib import SequenceMatcher
 from typing import TYPE_CHECKING, cast
 
-from kugelpendel.paper.typeset.tex import Fence, Fraction, Marked, Matrix, Root, Row, Script, read
+from kugelpendel.paper.typeset.tex import (
+    Fence,
+    Fraction,
+    Marked,
+    MathList,
+    Matrix,
+    Root,
+    Script,
+    read,
+)
 
 if TYPE_CHECKING:
     from kugelpendel.paper.typeset.tex import Node
 
-_CONTAINERS = (Row, Fraction, Root, Script, Fence)
+_CONTAINERS = (MathList, Fraction, Root, Script, Fence)
 
 
-def difference(printed: str, right: str) -> tuple[Row, Row]:
+def difference(printed: str, right: str) -> tuple[MathList, MathList]:
     """Read two versions of a formula and mark the smallest parts in which they differ."""
     return _rows(read(printed), read(right))
 
 
-def _rows(old: Row, new: Row) -> tuple[Row, Row]:
+def _rows(old: MathList, new: MathList) -> tuple[MathList, MathList]:
     left: list[Node] = []
     right: list[Node] = []
     matcher = SequenceMatcher(a=old.items, b=new.items, autojunk=False)
@@ -36,13 +45,13 @@ def _rows(old: Row, new: Row) -> tuple[Row, Row]:
         else:
             left.extend(Marked(item) for item in before)
             right.extend(Marked(item) for item in after)
-    return Row(tuple(left)), Row(tuple(right))
+    return MathList(tuple(left)), MathList(tuple(right))
 
 
 def _nodes(old: Node, new: Node) -> tuple[Node, Node]:
     if old == new:
         return old, new
-    if isinstance(old, Row) and isinstance(new, Row):
+    if isinstance(old, MathList) and isinstance(new, MathList):
         return _rows(old, new)
     if isinstance(old, Matrix) and isinstance(new, Matrix):
         return _matrices(old, new)

@@ -15,10 +15,10 @@ from kugelpendel.paper.typeset.tex import (
     Fence,
     Fraction,
     Marked,
+    MathList,
     Matrix,
     Node,
     Root,
-    Row,
     Script,
     read,
 )
@@ -32,12 +32,12 @@ _DELIMITERS = {"{": "\\{", "}": "\\}", "|": "|", "": "."}
 
 
 def display(source: str, room: float) -> str:
-    """A displayed formula, as ``aligned`` lines where it is wider than `room` signs."""
+    """Write a displayed formula, as ``aligned`` lines where it is wider than `room` signs."""
     return written(read(source), room)
 
 
-def written(row: Row, room: float) -> str:
-    """The same of a formula that has been read, and perhaps marked, already."""
+def written(row: MathList, room: float) -> str:
+    """Write a formula that has been read, and perhaps marked, in the same way."""
     broken = lines(row.items, room)
     if len(broken) == 1:
         return _row(broken[0])
@@ -64,7 +64,7 @@ def _node(node: Node) -> str:
     match node:
         case Atom():
             return _atom(node)
-        case Row(items):
+        case MathList(items):
             return _row(items)
         case Fraction(above, below):
             return f"\\frac{{{_node(above)}}}{{{_node(below)}}}"
@@ -103,7 +103,7 @@ def _atom(atom: Atom) -> str:
 
 def _script(node: Script) -> str:
     text = _node(node.base).rstrip()
-    if isinstance(node.base, Row):
+    if isinstance(node.base, MathList):
         text = f"{{{text}}}"
     if node.below is not None:
         text += f"_{{{_node(node.below).strip()}}}"

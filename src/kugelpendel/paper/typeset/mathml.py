@@ -14,10 +14,10 @@ from kugelpendel.paper.typeset.tex import (
     Fence,
     Fraction,
     Marked,
+    MathList,
     Matrix,
     Node,
     Root,
-    Row,
     Script,
     read,
 )
@@ -33,7 +33,7 @@ _ACCENTS = {"\u0307": "˙", "\u0308": "¨", "\u20d7": "→"}
 
 
 def inline(source: str) -> str:
-    """A formula within a sentence, in pieces as well: it may end a line of the text."""
+    """Write a formula within a sentence, in pieces as well, since a line may end in it."""
     row = read(source)
     if width(row) < _SHORT:
         return _math(row.items, display=False)
@@ -41,7 +41,7 @@ def inline(source: str) -> str:
 
 
 def display(source: str) -> str:
-    """A formula on lines of its own: `math` elements, broken before + − = outside brackets.
+    """Write a formula on lines of its own: `math` elements, cut before + − = outside brackets.
 
     Brackets that hold more than a browser fits on a narrow page are opened: their content is broken
     as well, and they are drawn as high as they would have been.
@@ -49,12 +49,12 @@ def display(source: str) -> str:
     return written(read(source))
 
 
-def written(row: Row) -> str:
-    """The same of a formula that has been read, and perhaps marked, already."""
+def written(row: MathList) -> str:
+    """Write a formula that has been read, and perhaps marked, in the same way."""
     return _pieces(row, display=True)
 
 
-def _pieces(row: Row, display: bool) -> str:
+def _pieces(row: MathList, display: bool) -> str:
     if not row.items:
         return ""
     first, *others = pieces(row.items)
@@ -135,7 +135,7 @@ def _node(node: Node) -> str:
     match node:
         case Atom():
             return _atom(node)
-        case Row(items):
+        case MathList(items):
             return f"<mrow>{_row(items)}</mrow>"
         case Fraction(above, below):
             return f"<mfrac>{_group(above)}{_group(below)}</mfrac>"
@@ -194,7 +194,7 @@ def _script(node: Script) -> str:
     if node.below is not None:
         return f"<msub>{base}{_group(node.below)}</msub>{after}"
     assert node.above is not None
-    if isinstance(node.base, Accent):
+    if isinstance(node.base.inner if isinstance(node.base, Marked) else node.base, Accent):
         # Otherwise the exponent would be set above the dot.
         base = f'<mpadded height="0.62em">{base}</mpadded>'
     return f"<msup>{base}{_group(node.above)}</msup>{after}"

@@ -1,8 +1,9 @@
-"""A formula in LaTeX, read into a tree that every kind of document is written from.
+"""A formula in LaTeX, read into a tree: every document is written from it, and the proofs judge it.
 
 Only the commands that the derivation uses are known; any other one is refused, so that no document
 can show half a formula. An own reader rather than a converter from LaTeX to MathML: the tree also
-tells where a long line may be broken, and gives the terminal its formulas.
+tells where a long line may be broken, gives the terminal its formulas, and is what
+`kugelpendel.paper.algebra.notation` turns into SymPy.
 """
 
 from __future__ import annotations
@@ -49,8 +50,8 @@ class Atom:
 
 
 @dataclass(frozen=True)
-class Row:
-    """Things side by side."""
+class MathList:
+    """Things side by side, for which TeX's own word is a math list."""
 
     items: tuple[Node, ...]
 
@@ -93,7 +94,7 @@ class Fence:
 
     opening: str
     closing: str
-    inner: Row
+    inner: MathList
 
 
 @dataclass(frozen=True)
@@ -118,14 +119,14 @@ class Bracket:
     is_high: bool
 
 
-Node = Atom | Row | Fraction | Root | Script | Accent | Fence | Matrix | Marked | Bracket
+Node = Atom | MathList | Fraction | Root | Script | Accent | Fence | Matrix | Marked | Bracket
 
 
 class UnknownTeX(ValueError):
     """A formula that this reader does not understand: a mistake in the derivation's data."""
 
 
-def read(source: str) -> Row:
+def read(source: str) -> MathList:
     """Read a formula.
 
     Raises
@@ -159,13 +160,13 @@ class _Reader:
         self._at += 1
         return token
 
-    def row(self, ends: frozenset[str]) -> Row:
+    def row(self, ends: frozenset[str]) -> MathList:
         items: list[Node] = []
         while (token := self.peek()) is not None and token not in ends:
             if token == "}":
                 raise self.confused("a brace too many")
             items.append(self.scripted())
-        return Row(tuple(items))
+        return MathList(tuple(items))
 
     def scripted(self) -> Node:
         base = self.single()
@@ -176,14 +177,23 @@ class _Reader:
             self.take()
             if token == "'":
                 primes += 1
+            elif (below if token == "_" else above) is not None:
+                raise self.confused(f"a second {token} at one base")
             elif token == "_":
-                below = self.single()
+                below = self.argument()
             else:
-                above = self.single()
+                above = self.argument()
         if primes:
             mark = Atom("operator", "′" * primes)
-            above = mark if above is None else Row((mark, above))
+            above = mark if above is None else MathList((mark, above))
         return base if below is None and above is None else Script(base, below, above)
+
+    def argument(self) -> Node:
+        """What a command is applied to: without braces that is one digit to TeX, not a number."""
+        token = self.peek()
+        if token is not None and token[0].isdigit() and len(token) > 1:
+            raise self.confused(f"{token} needs braces")
+        return self.single()
 
     def single(self) -> Node:
         token = self.take()
@@ -224,12 +234,12 @@ class _Reader:
         if name in SPACES:
             return Atom("space", str(SPACES[name]))
         if name in ACCENTS:
-            return Accent(self.single(), ACCENTS[name])
+            return Accent(self.argument(), ACCENTS[name])
         if name == "frac":
-            above = self.single()
-            return Fraction(above, self.single())
+            above = self.argument()
+            return Fraction(above, self.argument())
         if name == "sqrt":
-            return Root(self.single())
+            return Root(self.argument())
         if name == "left":
             return self.fence()
         name, _, words = name.rstrip("}").partition("{")

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 from unicodedata import normalize
 
-from kugelpendel.paper.document.prose import spans
 from kugelpendel.paper.typeset.breaks import lines
 from kugelpendel.paper.typeset.tex import (
     RELATIONS,
@@ -15,10 +14,10 @@ from kugelpendel.paper.typeset.tex import (
     Fence,
     Fraction,
     Marked,
+    MathList,
     Matrix,
     Node,
     Root,
-    Row,
     Script,
     read,
 )
@@ -37,7 +36,7 @@ def plain(source: str) -> str:
 
 
 def broken(source: str, room: float) -> list[str]:
-    """The same on several lines where it is wider than about `room` signs."""
+    """Write a formula on several lines where it is wider than about `room` signs."""
     first, *others = lines(read(source).items, 0.75 * room)
     return [written(first), *(_continued(written(line)) for line in others)]
 
@@ -48,11 +47,11 @@ def _continued(line: str) -> str:
 
 
 def written(items: Piece) -> str:
-    """Text of things that have been read already."""
-    return normalize("NFC", " ".join(_row(Row(items)).split()))
+    """Write things that have been read already."""
+    return normalize("NFC", " ".join(_row(MathList(items)).split()))
 
 
-def _row(row: Row) -> str:
+def _row(row: MathList) -> str:
     written = ""
     before: Node | None = None
     for item in row.items:
@@ -115,7 +114,7 @@ def _node(node: Node) -> str:
             return " "
         case Atom(text=text):
             return text
-        case Row():
+        case MathList():
             return _row(node)
         case Fraction(above, below):
             return f"{_operand(above)}/{_divisor(below)}"
@@ -145,7 +144,7 @@ def _operand(node: Node) -> str:
 def _divisor(node: Node) -> str:
     """What is divided by: a product in brackets, but for the dt of d/dt."""
     text = _node(node).strip()
-    is_product = isinstance(node, Row) and len(node.items) > 1
+    is_product = isinstance(node, MathList) and len(node.items) > 1
     return f"({text})" if is_product and text != "dt" else text
 
 
@@ -163,17 +162,3 @@ def _script(node: Script) -> str:
         fits = all(sign in "0123456789+−n" for sign in above)
         text += small if fits else f"^({above})"
     return text
-
-
-def sentence(source: str) -> str:
-    """A sentence of the wording as plain text, with references in brackets."""
-    written_spans: list[str] = []
-    for span in spans(source):
-        match span.kind:
-            case "math":
-                written_spans.append(plain(span.text))
-            case "link":
-                written_spans.append(f"({span.text})")
-            case _:
-                written_spans.append(span.text)
-    return "".join(written_spans)

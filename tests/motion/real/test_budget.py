@@ -3,18 +3,19 @@
 import numpy as np
 import pytest
 
-from kugelpendel.observables import Apsides, Shares
+import kugelpendel as kp
+from kugelpendel.motion import CAUSES, PrecessionBudget
 
 EARTH = -5e-5  # rad/s
 
 
-def shares(**causes: list[float]) -> Shares:
+def shares(**causes: list[float]) -> PrecessionBudget:
     """Shares of the rate, in units of the Earth's; nothing for what is not named."""
     count = len(next(iter(causes.values())))
     values = {name: EARTH * np.array(share) for name, share in causes.items()}
-    names = ("earth", "intrinsic", "anisotropy", "damping", "drive")
     times = 10.0 * np.arange(count, dtype=np.float64)
-    return Shares(times, times, *(values.get(name, np.zeros(count)) for name in names))
+    each = {name: values.get(name, np.zeros(count)) for name in CAUSES}
+    return PrecessionBudget(times, times, **each, outer=times, inner=times)
 
 
 def test_paces() -> None:
@@ -67,9 +68,21 @@ def test_shares_add_up() -> None:
     assert found.total[0] == pytest.approx(2.75 * EARTH)
 
 
-def test_apsides_know_their_mean_rate_and_foucaults() -> None:
-    times = np.array([1.0, 2.0, 5.0])
-    apsides = Apsides(times, times, times, np.array([0.3, 0.2, -0.1]), -0.05, 1.0)
-    assert apsides.mean_rate == pytest.approx(-0.1)
-    assert apsides.foucault_azimuth == pytest.approx([0.3, 0.25, 0.1])
-    assert Apsides(times[:1], times[:1], times[:1], times[:1], -0.05, 1.0).mean_rate == 0
+def test_an_ensemble_has_no_stretches_but_paces() -> None:
+    motion = kp.EnvelopeMotion(
+        kp.Pendulum([1.0, 2.0], 9.8), kp.Launch.ellipse(0.1, 0.001), site=kp.Site(0.8)
+    )
+    rates = motion.rates([0.0, 5.0, 9.0])
+    assert rates.pace.shape == rates.total.shape == (2, 3)
+    # On the shorter one the ellipse turns by itself all but as fast as the Earth.
+    assert rates.pace.tolist() == [["stalls"] * 3, ["lags"] * 3]
+    with pytest.raises(
+        kp.InvalidInput, match=r"times have the shape \(3,\) and the rates \(2, 3\)"
+    ):
+        rates.stretches()
+    single = kp.EnvelopeMotion(
+        kp.Pendulum(1.0, 9.8), kp.Launch.ellipse(0.1, 0.0), site=kp.Site(0.8)
+    )
+    with pytest.raises(kp.InvalidInput, match="need times that ascend"):
+        single.rates([5.0, 0.0]).stretches()
+    assert single.rates(5.0).total.shape == ()

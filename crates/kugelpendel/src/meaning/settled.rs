@@ -1,0 +1,117 @@
+//! What the plane of a real swing comes to, with all that acts on it: the averaged motion, run until it shows.
+
+use crate::envelope::{Envelope, EnvelopeMotion, EnvelopeWalks};
+use crate::meaning::budget::STALL;
+use crate::meaning::decay::Decay;
+use crate::meaning::portrait::Verdict;
+use std::f64::consts::{PI, TAU};
+
+/// A driven swing is looked at after so many times the decay time of its amplitude.
+const SETTLES: f64 = 15.0;
+
+/// A swing that dies away is looked at until so much of its amplitude is left.
+const LEFT: f64 = 0.1;
+
+/// Any other for so many turns of the Earth.
+const TURNS: usize = 4;
+
+/// Nothing is looked at that takes longer than this, s: 120 days, in which the Earth turns four times at 2° latitude.
+const LONGEST: f64 = 120.0 * 86_400.0;
+
+/// Readings in each of these, or until a swing has died away.
+const READINGS: usize = 400;
+
+/// A plane that moves by less than this in a turn of the Earth stands, rad.
+const STILL: f64 = 0.01;
+
+/// What came out, over the time that was looked at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settled {
+    /// Whether the plane goes round: by more than half a turn within four turns of the Earth, or, where the swing dies away
+    /// first, at more than [`STALL`] of the Earth's rate in its sense.
+    pub verdict: Verdict,
+    /// When the look begins, s: at the launch, or when a driven swing has settled.
+    pub from: f64,
+    /// When it ends, s.
+    pub until: f64,
+    /// By how much the plane turned in between, rad, counter-clockwise seen from above.
+    pub turned: f64,
+    /// The azimuths between which it was in the last turn of the Earth, rad.
+    pub azimuths: [f64; 2],
+    /// The largest |b| in that time, m.
+    pub widest: f64,
+    /// The amplitude at the end, m.
+    pub amplitude: f64,
+    /// Whether the swing dies away, so that the look is over its life.
+    pub dies: bool,
+}
+
+/// Follows a motion on a ground that turns with Ω_z, not 0. `None` where the motion ends before it is looked at, where that
+/// would take longer than 120 days, and where `go_on`, which is asked all the time, says no.
+pub fn settle(
+    motion: &EnvelopeMotion,
+    [a, rotation]: [f64; 2],
+    decay: &Decay,
+    driven: bool,
+    mut go_on: impl FnMut() -> bool,
+) -> Option<Settled> {
+    let loss = decay.rate(a);
+    let turn = TAU / rotation.abs();
+    let life = decay.until(a, LEFT * a);
+    let dies = !driven && life < TURNS as f64 * turn;
+    let from = if driven && loss > 0.0 { SETTLES / loss } else { 0.0 };
+    let (windows, window) = if dies { (1, life) } else { (TURNS, turn) };
+    if from + windows as f64 * window > LONGEST {
+        return None;
+    }
+    let mut walks = EnvelopeWalks::default();
+    let mut read = |time: f64| {
+        let (mut azimuth, mut axes) = ([f64::NAN], [f64::NAN; 2]);
+        let held = motion.fill(Envelope::Azimuth, &[time], &mut azimuth, &mut walks).is_ok()
+            && motion.fill(Envelope::SemiAxes, &[time], &mut axes, &mut walks).is_ok();
+        held.then_some((azimuth[0], axes))
+    };
+    for reading in 0..READINGS {
+        if !go_on() || (from > 0.0 && read(from * reading as f64 / READINGS as f64).is_none()) {
+            return None;
+        }
+    }
+    let (first, axes) = read(from)?;
+    let mut settled = Settled {
+        verdict: Verdict::ToAndFro,
+        from,
+        until: from,
+        turned: 0.0,
+        azimuths: [first; 2],
+        widest: axes[1].abs(),
+        amplitude: axes[0],
+        dies,
+    };
+    for index in 0..windows {
+        settled.azimuths = [first + settled.turned; 2];
+        settled.widest = 0.0;
+        for reading in 1..=READINGS {
+            let time = from + window * (index as f64 + reading as f64 / READINGS as f64);
+            if !go_on() {
+                return None;
+            }
+            let Some((azimuth, [a, b])) = read(time) else { return Some(settled) };
+            settled.until = time;
+            settled.turned = azimuth - first;
+            settled.azimuths = [settled.azimuths[0].min(azimuth), settled.azimuths[1].max(azimuth)];
+            settled.widest = settled.widest.max(b.abs());
+            settled.amplitude = a;
+        }
+        let moved = settled.azimuths[1] - settled.azimuths[0];
+        let alone = -rotation * (settled.until - from);
+        if settled.turned.abs() > PI || (dies && settled.turned / alone > STALL) {
+            settled.verdict = Verdict::Round;
+            break;
+        }
+        if moved < STILL && !dies {
+            settled.verdict = Verdict::Stands;
+            break;
+        }
+    }
+    Some(settled)
+}
