@@ -24,7 +24,7 @@ ALL := pyproject.toml --extra run --extra paper --group install --group build --
 
 RUST_SOURCES := $(shell find crates -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
 
-.PHONY: help run test check bench wheel lock clean
+.PHONY: help run test check bench tables wheel lock clean
 
 help:  ## list these targets
 	@sed -nE 's/^([a-z]+):.*## (.*)/make \1\t\2/p' Makefile | expand -t 14
@@ -47,6 +47,9 @@ check: $(STAMPS)/package $(STAMPS)/check  ## format, lints, types, import contra
 
 bench: $(STAMPS)/package $(STAMPS)/bench  ## every speed ratio against the peers, from one run
 	$(BIN)/python benchmarks/run.py --write docs/benchmarks.md
+
+tables: $(STAMPS)/package  ## what a job file may say, from its schema into README.md and docs
+	$(BIN)/python docs/job_files.py
 
 wheel: $(STAMPS)/run  ## a wheel in dist/
 	$(BIN)/maturin build --release --locked --interpreter $(BIN)/python --out dist

@@ -7,13 +7,12 @@ from pathlib import Path
 import numpy as np
 
 import kugelpendel as kp
-from kugelpendel.observables import measured_rates
+from kugelpendel.observables import LEVELS, measured_rates
 from kugelpendel.spelling import significant
 
 UNIT = kp.Pendulum(length=1.0, gravity=1.0)
 LAUNCHES = ((0.05, 0.005), (0.2, 0.1), (0.5, 0.25))  # a/l, b/l
 SWINGS = 100
-LEVELS = (1e-4, 1e-3, 1e-2, 1e-1)
 
 
 def errors() -> str:

@@ -74,6 +74,7 @@ def call(
     folder = tmp_path / "here"
     folder.mkdir()
     monkeypatch.chdir(folder)
+    monkeypatch.delenv("COLUMNS", raising=False)  # pytest-xdist tells its workers 80
 
     def call(*arguments: str | Path) -> Outcome:
         capsys.readouterr()

@@ -17,14 +17,28 @@ SENTENCES: list[tuple[str, dict[str, dict[str, Any]], list[str]]] = [
     ("no kind", {"launch": {"kind": None, "a": 1}}, ["[launch] kind is missing", '"ellipse"']),
     ("key of another kind", {"launch": {"theta": 1}}, ["theta", 'kind = "apsides"', "azimuth"]),
     ("missing key", {"launch": {"b": None}}, ["[launch] b is missing", 'b = "3 cm"']),
-    ("missing length", {"pendulum": {"length": None}}, ["[pendulum] length is missing", "3 cm"]),
+    (
+        "missing length",
+        {"pendulum": {"length": None}},
+        ["[pendulum] length is missing", 'length = "67 m"'],
+    ),
     ("mass as length", {"launch": {"a": "3 kg"}}, ['a = "3 kg" is not a length', '"3 cm"']),
     ("unknown unit", {"launch": {"a": "3 furlog"}}, ['the unit "furlog" is not known', '"3 cm"']),
     ("broken unit", {"launch": {"a": "3 m**"}}, ['the unit "m**" is not known']),
     ("scaled unit", {"launch": {"a": "3 2m"}}, ['the unit "2m" is not known']),
     ("no unit", {"launch": {"a": "3"}}, ['a = "3" has no unit', "plain number in m"]),
     ("no number", {"launch": {"a": "wide"}}, ['"wide" does not start with a number']),
-    ("comma", {"launch": {"a": "0,2 m"}}, ["decimal point"]),
+    ("two commas", {"launch": {"a": "1,234,567 m"}}, ["more than one point or comma"]),
+    ("comma of thousands", {"launch": {"a": "1,234 m"}}, ['write "1.234 m" or "1234 m"']),
+    ("degrees in German", {"launch": {"kind": "at_rest", "theta": "45 Grad"}}, ['"deg" or "gon"']),
+    ("degrees without a unit", {"launch": {"kind": "at_rest", "theta": 45}}, ['write "45 deg"']),
+    ("beyond a turn", {"launch": {"azimuth": "361 deg"}}, ["more than a full turn", "360 deg"]),
+    ("grains", {"pendulum": {"mass": "500 gr"}}, ["is the grain of 64.8 mg", 'write "g"']),
+    ("open bracket", {"launch": {"azimuth": "4{ deg"}}, ['the unit "{ deg" is not known']),
+    ("longitude", {"site": {"latitude": "2.35 E"}}, ["is not a latitude", '"48.85 N"']),
+    ("sign and side", {"site": {"latitude": "-33 S"}}, ["both a sign and S"]),
+    ("feet of 13 inches", {"pendulum": {"length": "12 ft 13 in"}}, ["ever smaller units"]),
+    ("a page for a number", {"launch": {"a": "1" * 500 + " m"}}, ["too long for a quantity"]),
     ("true for a number", {"launch": {"a": True}}, ["a = true is not a number"]),
     ("list for a number", {"launch": {"a": [1]}}, ["is not a number"]),
     ("Hz", {"launch": {"kind": "angles", "theta": 1, "phi_rate": "5 Hz"}}, ["Hz", "turns"]),
@@ -206,12 +220,13 @@ def test_no_command_shows_the_help(call) -> None:
 
 
 def test_package_that_is_not_installed(call, write, monkeypatch: pytest.MonkeyPatch) -> None:
-    from kugelpendel.cli.job_file import quantity
+    from kugelpendel.cli.job_file import units
 
     def absent() -> None:
         raise ModuleNotFoundError("No module named 'pint'", name="pint")
 
-    monkeypatch.setattr(quantity, "_registry", absent)
+    monkeypatch.setattr(units, "_registry", absent)
+    units._parsed.cache_clear()
     monkeypatch.setitem(sys.modules, "pint", None)
     _is_refused(call("run", write()), ["pint is not installed", "kugelpendel[run]"])
 

@@ -9,7 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from kugelpendel.cli.job_file.job import LAUNCHES, read_job
+from kugelpendel.cli.job_file.job import read_job
+from kugelpendel.cli.job_file.schema import JOB
+from kugelpendel.cli.job_file.schema_text import example
 
 
 @pytest.fixture(scope="module")
@@ -54,14 +56,6 @@ def test_job_is_the_example(readme: str, repository: Path, tmp_path: Path) -> No
     assert tomllib.loads(shown) == tomllib.loads(example)
 
 
-def test_table_names_every_key(readme: str) -> None:
-    for kind, keys in LAUNCHES.items():
-        (row,) = re.findall(rf'^\| \| `"{kind}"` \| (.*?): ', readme, flags=re.MULTILINE)
-        assert tuple(re.findall(r"`(\w+)`", row)) == keys
-    for key in ("length", "gravity", "mass", "duration", "step", "samples", "format", "figure"):
-        assert f"`{key}`" in readme
-
-
 def test_job_of_the_help_can_be_run(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], call
 ) -> None:
@@ -74,10 +68,8 @@ def test_job_of_the_help_can_be_run(
 
 
 def test_job_of_the_sentence_can_be_run(tmp_path: Path) -> None:
-    from kugelpendel.cli.job_file.toml_text import EXAMPLE
-
     path = tmp_path / "job.toml"
-    path.write_text(EXAMPLE, encoding="utf-8")
+    path.write_text(example(JOB), encoding="utf-8")
     assert read_job(path).grid.count == 36001
 
 

@@ -1,5 +1,7 @@
 """``kugelpendel validity``: the map in numbers, one pendulum, the figure, and what is refused."""
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -88,10 +90,59 @@ def test_folder_in_the_way_of_the_figure(call) -> None:
     Path("map.png").mkdir()
     outcome = call("validity", "--out", "map.png")
     assert outcome.code == 2
-    assert "map.png is a folder" in outcome.err
+    assert "map.png cannot be written: it is a folder" in outcome.err
 
 
 def test_run_says_the_same(call, write) -> None:
     results = call("run", write(), "--json").results
     said = results["formula_25"]["difference_percent"]
     assert said == pytest.approx(100 * kp.validity(0.2, 0.1, 1.0).formula_25, abs=1e-12)
+
+
+def test_json_of_one_pendulum(call) -> None:
+    results = call("validity", "--length", "67 m", "--a", "3 m", "--b=-1 cm", "--json").results
+    assert results["length_m"] == 67
+    assert results["inner_turning_radius_m"] == 0.01
+    errors = results["relative_errors"]
+    found = kp.validity(3.0, 0.01, 67.0)
+    assert errors["formulas (25), (26)"] == {
+        "precession": found.formula_25,
+        "frequency": found.formula_26,
+    }
+    assert errors["series, order 4"]["precession"] == found.series[4].precession
+    assert len(errors) == 1 + len(found.series)
+
+
+def test_json_of_all(call) -> None:
+    results = call("validity", "--json").results
+    assert results["levels"] == [1e-4, 1e-3, 1e-2, 1e-1]
+    reach = results["largest_a_over_l"]
+    assert reach["precession"]["by (25)"] == pytest.approx([0.0151, 0.0478, 0.151, 0.467], rel=4e-3)
+    assert len(reach["frequency"]) == 7
+
+
+def test_figure_on_standard_output(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "kugelpendel", "validity", "--out", "-"],
+        cwd=tmp_path, capture_output=True, check=True,
+    )  # fmt: skip
+    assert done.stdout.startswith(b"\x89PNG")
+    assert done.stdout.endswith(b"IEND\xaeB`\x82")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_two_things_for_standard_output(call) -> None:
+    outcome = call("validity", "--json", "--out", "-")
+    assert outcome.code == 2
+    assert "both want standard output" in outcome.err
+
+
+def test_numbers_need_no_matplotlib(call, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in [name for name in sys.modules if name.startswith("kugelpendel.plot")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    assert "formula (25) is good to" in call("validity", "--length", "1", "--a", "0.2").out
+    outcome = call("validity", "--out", "map.png")
+    assert outcome.code == 2
+    assert "matplotlib is not installed, and `kugelpendel validity` needs it" in outcome.err
+    assert list(Path.cwd().iterdir()) == []

@@ -231,3 +231,14 @@ def test_missing_extra_is_a_sentence(call: Any, monkeypatch: pytest.MonkeyPatch)
     assert outcome.code == 2
     assert "markdown-it-py and sympy are not installed" in outcome.err
     assert "python -m pip install 'kugelpendel[paper]'" in outcome.err
+
+
+def test_a_document_on_standard_output_is_utf_8(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "kugelpendel", "derive", "3", "--lang", "de", "--format", "html",
+         "--out", "-"],
+        cwd=tmp_path, env={**os.environ, "PYTHONIOENCODING": "ascii"}, capture_output=True,
+        check=True,
+    )  # fmt: skip
+    assert done.stdout.decode("utf-8") == paper.write("de", "html", "3")
+    assert list(tmp_path.iterdir()) == []

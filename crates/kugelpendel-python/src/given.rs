@@ -71,9 +71,7 @@ pub(crate) fn problem(given: HashMap<String, f64>) -> PyResult<Option<Told>> {
     let columns: HashMap<_, _> =
         given.iter().map(|(name, value)| (name.as_str(), std::slice::from_ref(value))).collect();
     let columns = Named::of(columns, 1);
-    let verdict = if let Some(rows) = columns.part("pendulum", PENDULUM)? {
-        pendulum(rows.row(0)).check()
-    } else if let Some(rows) = columns.part("wire", ["diameter", "young", "expansion"])? {
+    let verdict = if let Some(rows) = columns.part("wire", ["diameter", "young", "expansion"])? {
         let [diameter, young, expansion] = rows.row(0);
         Wire { diameter, young, expansion }.check()
     } else {
@@ -86,6 +84,12 @@ pub(crate) fn problem(given: HashMap<String, f64>) -> PyResult<Option<Told>> {
         })
     };
     Ok(verdict.err().as_ref().map(tell))
+}
+
+/// What is wrong with one pendulum, if anything is.
+#[pyfunction]
+pub(crate) fn pendulum_problem(length: f64, gravity: f64, mass: f64) -> Option<Told> {
+    Pendulum { length, gravity, mass }.check().err().as_ref().map(tell)
 }
 
 /// What is wrong with a launch whatever the pendulum, if anything is.

@@ -43,7 +43,7 @@ mod _core {
     #[pymodule_export]
     use crate::exact::ExactMotions;
     #[pymodule_export]
-    use crate::given::{derived, launch_problem, problem, problem_kinds};
+    use crate::given::{derived, launch_problem, pendulum_problem, problem, problem_kinds};
     #[pymodule_export]
     use crate::harmonic::HarmonicMotions;
     #[pymodule_export]

@@ -160,6 +160,8 @@ def unfit_parts(*parts: Any) -> InvalidInput:
 
 def require_given(motion: str, pendulum: Any, launch: Any) -> None:
     """Raise InvalidInput unless a motion is given a pendulum and a launch, in this order."""
+    if isinstance(pendulum, Pendulum) and isinstance(launch, Launch):
+        return
     call = f"kp.{motion}(kp.Pendulum(length), kp.Launch.ellipse(a, b))"
     swapped = isinstance(pendulum, Launch) and isinstance(launch, Pendulum)
     way_out = f"the pendulum comes first: {call}" if swapped else f"write {call}"

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kugelpendel import _core
-from kugelpendel.errors import InvalidInput
+from kugelpendel.errors import InvalidInput, Told
 from kugelpendel.parameters._numbers import (
     Numbers,
     Scalars,
@@ -53,20 +53,21 @@ class Given:
             Under the names of `units`.
         """
         for name, value in given.items():
-            unit = self.units[name]
-            if value is None and name in optional:
-                object.__setattr__(self, name, None)
-                continue
-            known = as_numbers(cast("ArrayLike", value), f"{self.part}.{name}", unit)
+            known = value
+            if type(value) is not float and not (value is None and name in optional):
+                what = f"{self.part}.{name}"
+                known = as_numbers(cast("ArrayLike", value), what, self.units[name])
             object.__setattr__(self, name, known)
         try:
             single = self.shape == ()
         except ValueError:
             raise unfit(names, tuple(self.named.values())) from None
-        if single:
-            problem = _core.problem({name: float(value) for name, value in self.prefixed.items()})
-            if problem is not None:
-                raise InvalidInput.told(problem)
+        if single and (problem := self._problem()) is not None:
+            raise InvalidInput.told(problem)
+
+    def _problem(self) -> Told | None:
+        """What the core says is wrong with a single case, if anything is."""
+        return _core.problem({name: float(value) for name, value in self.prefixed.items()})
 
     @property
     def named(self) -> dict[str, Scalars]:

@@ -136,10 +136,7 @@ class Launch:
 
     @classmethod
     def _of(cls, kind: str, *values: ArrayLike) -> Launch:
-        units = cls.kinds[kind].items()
-        pairs = zip(units, values, strict=True)
-        numbers = (as_numbers(value, f"launch.{name}", unit) for (name, unit), value in pairs)
-        return cls(kind, tuple(numbers))
+        return cls(kind, cast("tuple[Scalars, ...]", values))
 
     def __post_init__(self) -> None:
         kind, values = _checked(self.kind, self.values)
@@ -196,5 +193,7 @@ def _checked(kind: object, values: object) -> tuple[str, tuple[Scalars, ...]]:
         names, count = ", ".join(units), str(len(units))
         seen = str(len(given)) if isinstance(values, tuple) else f"{values!r:.80}"
         raise InvalidInput.of("launch_values", kind=kind, count=count, names=names, seen=seen)
-    pairs = zip(units.items(), given, strict=True)
-    return kind, tuple(as_numbers(v, f"launch.{name}", unit) for (name, unit), v in pairs)
+    return kind, tuple(
+        value if type(value) is float else as_numbers(value, f"launch.{name}", unit)
+        for (name, unit), value in zip(units.items(), given, strict=True)
+    )

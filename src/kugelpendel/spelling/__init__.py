@@ -5,7 +5,6 @@ velocities carry their sign, since it is their sense. Nothing here knows physics
 turns numbers in SI into text and fails for none of them.
 """
 
-from kugelpendel.spelling._numbers import Language as Language
 from kugelpendel.spelling._numbers import general as general
 from kugelpendel.spelling._numbers import grouped as grouped
 from kugelpendel.spelling._numbers import minus as minus
@@ -21,7 +20,6 @@ from kugelpendel.spelling._units import rate_unit as rate_unit
 from kugelpendel.spelling._units import unit_for as unit_for
 
 __all__ = [
-    "Language",
     "Unit",
     "as_given",
     "degrees",

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from typing import Literal
+from typing import TYPE_CHECKING
 
-Language = Literal["de", "en"]
-"""The language that a text is written in."""
+if TYPE_CHECKING:
+    from kugelpendel.errors import Language
 
 _SAME = {"de": "gleich", "en": "the same"}
 

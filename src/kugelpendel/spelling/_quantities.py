@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
-from kugelpendel.spelling._numbers import Language, general, signed, significant
+from kugelpendel.spelling._numbers import general, signed, significant
 from kugelpendel.spelling._units import local_symbol, rate_unit, unit_for
+
+if TYPE_CHECKING:
+    from kugelpendel.errors import Language
 
 _PREFIXES = ("", "k", "M", "G", "T", "P", "E", "Z", "Y", "R", "Q")
 

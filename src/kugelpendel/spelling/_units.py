@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from kugelpendel.spelling._numbers import Language
+    from kugelpendel.errors import Language
 
 _DEGREE = math.pi / 180
 _HOUR = 3600.0

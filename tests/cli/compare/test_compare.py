@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from kugelpendel.spelling import spell_percent
+
 
 def rows(out: str) -> dict[str, list[str]]:
     """The table by the names of its rows, cells apart by two blanks or more."""
@@ -33,10 +35,25 @@ def test_table(call, write) -> None:
     assert outcome.out.endswith("In out/job: comparison.json\n")
 
 
+@pytest.mark.parametrize("columns", [60, 80, 140])
+def test_numbers_are_whole_at_any_width(
+    call, write, monkeypatch: pytest.MonkeyPatch, columns: int
+) -> None:
+    monkeypatch.setenv("COLUMNS", str(columns))
+    outcome = call("compare", write(launch={"a": "1 mm", "b": "0.5 mm"}))
+    assert outcome.code == 0, outcome.err
+    assert "…" not in outcome.out
+    assert all(len(line) <= columns for line in outcome.out.splitlines())
+    motions = json.loads(Path("out/job/comparison.json").read_text(encoding="utf-8"))["motions"]
+    for name, motion in motions.items():
+        if motion["precession_relative_error"] is not None:
+            assert spell_percent(motion["precession_relative_error"]) in outcome.out, name
+
+
 def test_files(call, write) -> None:
     outcome = call("compare", write(output={"figure": True}), "--out", "there")
     assert outcome.code == 0
-    assert sorted(path.name for path in Path("there").iterdir()) == [
+    assert sorted(path.name for path in Path("there").glob("[!.]*")) == [
         "comparison.json",
         "comparison.png",
     ]
@@ -127,7 +144,8 @@ def test_package_that_is_not_installed(call, write, monkeypatch: pytest.MonkeyPa
     def absent(*_: object) -> None:
         raise ModuleNotFoundError("No module named 'rich'", name="rich")
 
-    monkeypatch.setattr(command, "print_comparison", absent)
+    monkeypatch.setattr(command, "comparison_report", absent)
+    monkeypatch.setitem(sys.modules, "rich", None)
     monkeypatch.setitem(sys.modules, "rich", None)
     outcome = call("compare", write())
     assert outcome.code == 2

@@ -65,7 +65,10 @@ def test_netcdf(call, write, expected: np.ndarray) -> None:
 
 def test_format_on_the_command_line_wins(call, write) -> None:
     call("run", write(), "--format", "parquet", "--out", "here")
-    assert sorted(path.name for path in Path("here").iterdir()) == ["results.json", "track.parquet"]
+    assert sorted(path.name for path in Path("here").glob("[!.]*")) == [
+        "results.json",
+        "track.parquet",
+    ]
 
 
 @pytest.mark.parametrize("track_format", ["csv", "netcdf", "parquet"])
@@ -153,13 +156,13 @@ def test_run_again_replaces_its_own_files_and_no_others(call, write) -> None:
     call("run", write(output={"figure": True}))
     Path("out/job/notes.txt").write_text("mine")
     call("run", write(output={"format": "netcdf"}))
-    names = sorted(path.name for path in Path("out/job").iterdir())
+    names = sorted(path.name for path in Path("out/job").glob("[!.]*"))
     assert names == ["notes.txt", "results.json", "track.nc"]
 
 
 def test_folders_are_made_with_their_parents(call, write, tmp_path: Path) -> None:
     assert call("run", write(), "--out", tmp_path / "a" / "b" / "c").code == 0
-    assert sorted(path.name for path in (tmp_path / "a/b/c").iterdir()) == [
+    assert sorted(path.name for path in (tmp_path / "a/b/c").glob("[!.]*")) == [
         "results.json",
         "track.csv",
     ]
@@ -201,7 +204,7 @@ def test_interruption_leaves_nothing(write, tmp_path: Path, stop: signal.Signals
     command = [sys.executable, "-m", "kugelpendel", "run", str(path), "--out", str(folder)]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
         deadline = time.monotonic() + 60
-        while not list(folder.glob(".kugelpendel-*/track.csv")):
+        while not list(folder.glob(".kugelpendel-*/new/track.csv")):
             assert time.monotonic() < deadline
             assert process.poll() is None
             time.sleep(0.02)

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import kugelpendel as kp
 from kugelpendel import plot
-from kugelpendel.cli.compare.report import print_comparison
+from kugelpendel.cli.compare.report import comparison_report
 from kugelpendel.cli.job_file.job import read_job
 from kugelpendel.cli.json_text import json_text
 from kugelpendel.cli.output import staged
 from kugelpendel.cli.terminal.describe import describe_launch
+from kugelpendel.cli.terminal.streams import write_json
 
 if TYPE_CHECKING:
     from kugelpendel.cli.job_file.job import Job
@@ -42,14 +42,12 @@ def compare(file: Path, folder: Path | None, as_json: bool) -> None:
     if job.is_real:
         tables = ", ".join(f"[{name}]" for name in job.forces.parts)
         raise kp.InvalidInput(
-            f"{file}: the motions that are compared know no forces but gravity, and the job has "
-            f"{tables}; leave that out, or use `kugelpendel run`."
+            f"{job.file}: the motions that are compared know no forces but gravity, and the job "
+            f"has {tables}; leave that out, or use `kugelpendel run`."
         )
-    try:
+    with job.document.named():
         comparison = kp.compare(job.pendulum, job.launch, job.grid.duration)
-    except kp.InvalidInput as error:
-        raise error.at(f"{file}: ") from error
-    target = folder if folder is not None else Path("out") / file.stem
+    target = folder if folder is not None else Path("out") / job.file.stem
     results = _as_json(job, comparison)
     with staged(target, (FIGURE, RESULTS)) as temporary:
         if job.figure:
@@ -57,9 +55,9 @@ def compare(file: Path, folder: Path | None, as_json: bool) -> None:
             plot.save(plot.compared(comparison, title), temporary / FIGURE)
         (temporary / RESULTS).write_text(results, encoding="utf-8")
     if as_json:
-        sys.stdout.write(results)
+        write_json(results)
     else:
-        print_comparison(job, comparison)
+        print(comparison_report(job, comparison))
         files = [FIGURE, RESULTS] if job.figure else [RESULTS]
         print(f"\nIn {target}: {', '.join(files)}")
 

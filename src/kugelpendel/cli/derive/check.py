@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from io import StringIO
 from typing import TYPE_CHECKING
 
@@ -14,6 +13,7 @@ from kugelpendel import paper
 from kugelpendel.cli.derive import as_json
 from kugelpendel.cli.derive.command import known_label, known_language, text_width
 from kugelpendel.cli.terminal.progress import Progress
+from kugelpendel.cli.terminal.streams import write_json
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -40,7 +40,7 @@ def check(equation: str | None, language: str | None, is_json: bool) -> int:
 
         rows = paper.check(parallel=True, progress=advance, labels=labels)
     if is_json:
-        sys.stdout.write(as_json.proofs(rows))
+        write_json(as_json.proofs(rows))
     else:
         print("\n".join(table(rows, words, text_width())))
     return 0 if rows and all(row.holds for row in rows) else _FAILED

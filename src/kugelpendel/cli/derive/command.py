@@ -10,13 +10,15 @@ from typing import TYPE_CHECKING
 
 from kugelpendel import InvalidInput, paper
 from kugelpendel.cli.derive import as_json
-from kugelpendel.cli.one_file import write_file
+from kugelpendel.cli.output import write_file
+from kugelpendel.cli.terminal.streams import write_bytes, write_json
 from kugelpendel.paper import LANGUAGES
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
 FORMATS = {"html": ".html", "md": ".md", "latex": ".tex", "text": ".txt"}
+_STDOUT = Path("-")
 _WIDEST = 100  # signs; longer lines are hard to read
 
 
@@ -34,8 +36,8 @@ def derive(
     document_format
         One of `FORMATS`; None takes that of the file's name, and text without a file.
     out
-        The file, in which ``~`` is the user's folder; None writes to the terminal, and HTML to
-        ``derivation.LANGUAGE.html``.
+        The file; ``-`` writes the bytes of one, in UTF-8, to standard output; None writes to the
+        terminal, and HTML to ``derivation.LANGUAGE.html``.
 
     Raises
     ------
@@ -44,7 +46,6 @@ def derive(
     """
     target = known_label(equation) if equation is not None else ""
     chosen = known_language(language)
-    out = None if out is None else _expanded(out)
     kind = _known_format(document_format, out)
     if out is None and kind == "html":
         name = f"derivation-{target.replace(':', '-')}" if target else "derivation"
@@ -53,6 +54,8 @@ def derive(
     text = paper.write(chosen, kind, target, text_width(), is_coloured)
     if out is None:
         sys.stdout.write(text)
+    elif out == _STDOUT:
+        write_bytes(text.encode())
     else:
         write_file(out, text)
         print(_WRITTEN[chosen].format(out))
@@ -89,7 +92,7 @@ def list_misprints(language: str | None, is_json: bool) -> None:
     """Print the misprints, as text or as JSON."""
     chosen = known_language(language)
     if is_json:
-        sys.stdout.write(as_json.misprints(chosen))
+        write_json(as_json.misprints(chosen))
     else:
         sys.stdout.write(paper.misprint_list(chosen, text_width(), sys.stdout.isatty()))
 
@@ -110,7 +113,7 @@ def known_language(language: str | None, environment: Mapping[str, str] = os.env
 
 def _known_format(document_format: str | None, out: Path | None) -> str:
     if document_format is None:
-        if out is None:
+        if out is None or out == _STDOUT:
             return "text"
         by_suffix = {suffix: name for name, suffix in FORMATS.items()}
         if out.suffix not in by_suffix:
@@ -162,16 +165,6 @@ def _number(label: str) -> int:
 def text_width() -> int:
     """Give the number of signs in a line: the terminal's, unless that is too wide to read."""
     return min(shutil.get_terminal_size().columns, _WIDEST)
-
-
-def _expanded(out: Path) -> Path:
-    try:
-        return out.expanduser()
-    except RuntimeError as error:
-        raise InvalidInput(
-            f"{out} cannot be written: there is no user of that name; write ~ alone for your own "
-            f"folder, or ./{out} for a file whose name begins so."
-        ) from error
 
 
 _WRITTEN = {"de": "Geschrieben: {}", "en": "Written: {}"}

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import math
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import kugelpendel as kp
 from kugelpendel import plot
 from kugelpendel.cli.design.design_file import read_questions
-from kugelpendel.cli.design.report import print_design
+from kugelpendel.cli.design.report import design_report
 from kugelpendel.cli.json_text import json_text
 from kugelpendel.cli.output import staged
 from kugelpendel.cli.terminal.progress import Progress
+from kugelpendel.cli.terminal.streams import write_json
 
 if TYPE_CHECKING:
     from kugelpendel.cli.design.design_file import Questions
@@ -43,23 +43,21 @@ def design(file: Path, folder: Path | None, as_json: bool, checked: bool) -> Non
         Anything wrong with the file or the folder. Nothing is left half-written.
     """
     questions = read_questions(file)
-    try:
+    with questions.document.named():
         found = _answered(questions, checked)
-    except kp.InvalidInput as error:
-        raise error.at(f"{file}: ") from error
-    target = folder if folder is not None else Path("out") / file.stem
+    target = folder if folder is not None else Path("out") / questions.file.stem
     results = _as_json(questions, found)
-    title = file.stem.replace("-", " ")
+    title = questions.file.stem.replace("-", " ")
     drawn = (FIGURE, PORTRAIT) if "turning_by_anisotropy" in found else (FIGURE,)
-    with staged(target, (*drawn, RESULTS)) as temporary:
+    with staged(target, (FIGURE, PORTRAIT, RESULTS), (*drawn, RESULTS)) as temporary:
         plot.save(plot.design(found, title), temporary / FIGURE)
         if PORTRAIT in drawn:
             plot.save(plot.portrait(found.portrait, title=title), temporary / PORTRAIT)
         (temporary / RESULTS).write_text(results, encoding="utf-8")
     if as_json:
-        sys.stdout.write(results)
+        write_json(results)
     else:
-        print_design(questions, found)
+        print(design_report(questions, found))
         print(f"\nIn {target}: {', '.join((*drawn, RESULTS))}")
 
 

@@ -6,12 +6,12 @@ import math
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from kugelpendel.cli.compare.report import plain_table, print_table
 from kugelpendel.cli.terminal.describe import describe_pendulum
+from kugelpendel.cli.terminal.tables import facts, listing, numbers
 from kugelpendel.spelling import (
     as_given,
     degrees,
-    minus,
+    general,
     significant,
     spell,
     spell_percent,
@@ -19,8 +19,6 @@ from kugelpendel.spelling import (
 )
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
     import kugelpendel as kp
     from kugelpendel.cli.design.design_file import Questions
 
@@ -34,41 +32,48 @@ _TITLES = {
     "wire": "Wire",
 }
 
+_NAMES = 38
+"""Columns of the names of answers, so that the tables stand alike."""
+
 _LADDERS = ("m", "m/s", "s", "N")
 _SMALL = {"1/s": (0.01 / 3600, "%/h"), "1/K": (1e-6, "ppm/K")}
 _LARGE = {"Pa": ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa")), "W": ((1.0, "W"), (1e-3, "mW"))}
 
 
-def print_design(questions: Questions, design: kp.Design) -> None:
-    """Print the numbers, group by group, and then where they come from."""
-    lines = [("Pendulum", describe_pendulum(design.pendulum, questions.has_mass))]
+def design_report(questions: Questions, design: kp.Design) -> str:
+    """Set the numbers, group by group, and then where they come from."""
+    parts = [_start(questions, design)]
+    for group, answers in groupby(design.answers, key=lambda answer: answer.group):
+        parts.append(_numbers(_TITLES[group], list(answers)))
+    return "\n\n".join((*parts, *_sources(design)))
+
+
+def _start(questions: Questions, design: kp.Design) -> str:
     swing = f"a = {as_given(design.a, 'm')}, b = {as_given(design.b, 'm')}"
     angle = math.degrees(math.asin(design.a / float(design.pendulum.length)))
-    lines.append(("Swing", f"{swing}, {significant(angle, 4)}° to either side"))
-    if design.forces.site is not None:
-        place = f"latitude {degrees(float(design.forces.site.latitude))}"
-        lines.append(("Site", f"{place}, g = {float(design.forces.site.gravity):.6g} m/s²"))
+    rows = [
+        ("Pendulum", describe_pendulum(design.pendulum, questions.has_mass)),
+        ("Swing", f"{swing}, {significant(angle, 4)}° to either side"),
+    ]
+    site = design.forces.site
+    if site is not None:
+        gravity = general(float(site.gravity))
+        rows.append(("Site", f"latitude {degrees(float(site.latitude))}, g = {gravity} m/s²"))
     for name, key in (("Clamp alone", "turning_by_anisotropy"), ("All together", "settled_rate")):
         if key in design:
-            lines.append((name, design[key].note))
-    for name, text in lines:
-        print(f"{name:<19}{text}")
-    for group, answers in groupby(design.answers, key=lambda answer: answer.group):
-        print_table(_numbers(_TITLES[group], list(answers)))
-    for table in _sources(design):
-        print_table(table)
+            rows.append((name, design[key].note))
+    return facts(rows)
 
 
-def _numbers(title: str, answers: list[kp.DesignAnswer]) -> Table:
-    table = plain_table(title, "By formula", "By RealMotion", "Off by")
-    table.columns[0].min_width = 38
+def _numbers(title: str, answers: list[kp.DesignAnswer]) -> str:
+    rows: list[tuple[str, ...]] = []
     for answer in answers:
         measured = off = ""
         if answer.check is not None:
             measured = shown(answer.check.measured, answer)
             off = _off(answer.check)
-        table.add_row(answer.name, shown(answer.value, answer), measured, off)
-    return table
+        rows.append((answer.name, shown(answer.value, answer), measured, off))
+    return numbers((title, "By formula", "By RealMotion", "Off by"), rows, least=_NAMES)
 
 
 def _off(check: kp.DesignCheck) -> str:
@@ -78,26 +83,16 @@ def _off(check: kp.DesignCheck) -> str:
     return spell_percent(-check.relative) + (f" of {check.of}" if check.of else "")
 
 
-def _sources(design: kp.Design) -> tuple[Table, Table]:
+def _sources(design: kp.Design) -> tuple[str, str]:
     """Formulas with numbers of their sources, and the sources."""
-    from rich.table import Table
-    from rich.text import Text
-
-    formulas = Table.grid(padding=(0, 2))
-    formulas.add_column(no_wrap=True, min_width=38)
-    formulas.add_column()
-    numbers: dict[str, int] = {}
+    formulas: list[tuple[str, str]] = []
+    marks: dict[str, int] = {}
     for answer in design.answers:
-        marks = [
-            f"[{numbers.setdefault(source, len(numbers) + 1)}]"
-            for source in answer.source.split("; ")
-        ]
-        said = f"{answer.formula} {' '.join(marks)}" + (f"; {answer.note}" if answer.note else "")
-        formulas.add_row(answer.name, Text(said))
-    sources = Table.grid(padding=(0, 2))
-    for source, number in numbers.items():
-        sources.add_row(Text(f"[{number}]"), Text(source))
-    return formulas, sources
+        found = [f"[{marks.setdefault(one, len(marks) + 1)}]" for one in answer.source.split("; ")]
+        said = f"{answer.formula} {' '.join(found)}" + (f"; {answer.note}" if answer.note else "")
+        formulas.append((answer.name, said))
+    sources = ((f"[{number}]", source) for source, number in marks.items())
+    return listing(formulas, _NAMES), listing(sources, 0)
 
 
 def shown(value: float, answer: kp.DesignAnswer) -> str:
@@ -110,17 +105,17 @@ def shown(value: float, answer: kp.DesignAnswer) -> str:
     if unit == "rad/s":
         return spell_rate(value, 5)
     if unit == "1" and answer.group == "period":
-        return minus(f"{significant(1e6 * value, 4)} ppm")
+        return f"{significant(1e6 * value, 4)} ppm"
     if unit in _SMALL:
         size, symbol = _SMALL[unit]
-        return minus(f"{significant(value / size, 4)} {symbol}")
+        return f"{significant(value / size, 4)} {symbol}"
     if unit == "1":
-        return minus(significant(value, 4))
+        return significant(value, 4)
     if unit == "rad":
-        return minus(f"{significant(math.degrees(value), 5)}°")
+        return f"{significant(math.degrees(value), 5)}°"
     if unit in _LADDERS:
-        return minus(spell(value, unit, 7 if answer.group == "period" else 4))
+        return spell(value, unit, 7 if answer.group == "period" else 4)
     for size, symbol in _LARGE.get(unit, ()):
         if abs(value) >= size:
-            return minus(f"{significant(value / size, 4)} {symbol}")
-    return f"{significant(value, 4)} {unit}".replace("-", "−")
+            return f"{significant(value / size, 4)} {symbol}"
+    return f"{significant(value, 4)} {unit}"

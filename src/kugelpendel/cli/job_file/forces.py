@@ -1,218 +1,143 @@
-"""The tables of a file that say what swings and what acts on it.
-
-``[pendulum]``
-    length; gravity (that of the site where there is one, else 9.80665 m/s²); mass (that of the
-    bob where there is one, else 1 kg)
-
-``[site]``
-    latitude; gravity (WGS84 normal gravity unless given); height (0 unless given)
-
-``[drag]``
-    linear (``"1e-5 1/s"``), or quality (a number), or half_life (``"2 h"``, of the amplitude), or
-    from_bob = true, which needs ``[bob]`` and may have thread_diameter; quadratic (``"1e-3 1/m"``),
-    which goes with all but from_bob
-
-``[suspension]``
-    anisotropy (``"1e-6 rad/s"``), or period_along and period_across; axis; damping_anisotropy
-    (``"1e-6 1/s"``); damping_axis
-
-``[bob]``
-    radius or diameter; density; thread_mass; air_density (1.204 kg/m³ unless given)
-
-``[drive]``
-    push; phase or radius
-"""
+"""What swings and what acts on it, as a file says it; the tables are those of the schema."""
 
 from __future__ import annotations
 
 import math
-from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import kugelpendel as kp
-from kugelpendel.cli.job_file.quantity import (
-    ACCELERATION,
-    ANGLE,
-    LENGTH,
-    MASS,
-    RATE,
-    SPEED,
-    TIME,
-    Kind,
-    show,
-)
+from kugelpendel.cli.job_file import schema
+from kugelpendel.cli.job_file.entries import Mistake
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Mapping
+    from collections.abc import Mapping
 
-    from kugelpendel.cli.job_file.table import Table
+    from kugelpendel.cli.job_file.entries import Entries
 
-DENSITY = Kind("a density", "kg/m^3", "8500 kg/m^3")
-DECAY = Kind("a decay rate", "1/s", "1e-5 1/s")
-QUADRATIC = Kind("a quadratic drag", "1/m", "1e-3 1/m")
-
-FORCES = ("site", "drag", "suspension", "bob", "drive")
+FORCES = tuple(section.name for section in schema.FORCES)
 """The tables that a file may have beside ``[pendulum]``."""
 
 
-def read_forces(tables: Mapping[str, Table]) -> tuple[kp.Pendulum, bool, kp.Forces]:
-    """The pendulum, whether a mass was given, and what acts, from those of `FORCES` that are there.
+def read_forces(
+    tables: Mapping[str, Entries], present: Mapping[str, object]
+) -> tuple[kp.Pendulum, bool, kp.Forces]:
+    """Read the pendulum, whether a mass was given, and what acts.
+
+    Parameters
+    ----------
+    tables
+        All of the schema.
+    present
+        Those that the file has.
 
     Raises
     ------
     InvalidInput
         A sentence that names the key or the table, the value seen, and the way out.
     """
-    site = _site(tables["site"]) if "site" in tables else None
-    bob = _bob(tables["bob"]) if "bob" in tables else None
+    site = _site(tables["site"]) if "site" in present else None
+    bob = _bob(tables["bob"]) if "bob" in present else None
     pendulum = _pendulum(tables["pendulum"], site, bob)
     if bob is not None:
-        with named(tables["bob"]):
+        with tables["bob"].at():
             bob.gravity_factor(pendulum.length)
     forces = kp.Forces(
         site=site,
-        drag=_drag(tables["drag"], pendulum, bob) if "drag" in tables else None,
-        suspension=_suspension(tables["suspension"]) if "suspension" in tables else None,
+        drag=_drag(tables["drag"], pendulum, bob) if "drag" in present else None,
+        suspension=_suspension(tables["suspension"]) if "suspension" in present else None,
         bob=bob,
-        drive=_drive(tables["drive"]) if "drive" in tables else None,
+        drive=_drive(tables["drive"]) if "drive" in present else None,
     )
-    return pendulum, "mass" in tables["pendulum"].entries or bob is not None, forces
+    return pendulum, "mass" in tables["pendulum"] or bob is not None, forces
 
 
-def _pendulum(table: Table, site: kp.Site | None, bob: kp.Bob | None) -> kp.Pendulum:
-    table.allow(("length", "gravity", "mass"))
+def _pendulum(table: Entries, site: kp.Site | None, bob: kp.Bob | None) -> kp.Pendulum:
     gravity = 9.80665 if site is None else float(site.gravity)
     mass = 1.0 if bob is None else float(bob.mass)
-    return kp.Pendulum(
-        length=table.quantity("length", LENGTH),
-        gravity=table.quantity("gravity", ACCELERATION, default=gravity),
-        mass=table.quantity("mass", MASS, default=mass),
-    )
+    with table.at():
+        return kp.Pendulum(
+            length=table.number("length"),
+            gravity=table.number("gravity", default=gravity),
+            mass=table.number("mass", default=mass),
+        )
 
 
-def _site(table: Table) -> kp.Site:
-    table.allow(("latitude", "gravity", "height"))
-    latitude = table.quantity("latitude", ANGLE)
+def _site(table: Entries) -> kp.Site:
+    latitude = table.number("latitude")
     if abs(latitude) > math.pi / 2:
-        seen = show(table.entries["latitude"])
-        raise kp.InvalidInput(
-            f"{table.where('latitude')} = {seen} lies beyond a pole; write a latitude from "
-            '"-90 deg" to "90 deg", such as "48.85 deg", positive in the north.'
+        table.refuse(
+            "latitude",
+            ' lies beyond a pole; write a latitude from "-90 deg" to "90 deg", such as '
+            '"48.85 deg", positive in the north.',
         )
-    with named(table):
+    with table.at():
         return kp.Site(
-            latitude=latitude,
-            gravity=given(table, "gravity", ACCELERATION),
-            height=table.quantity("height", LENGTH, default=0.0),
+            latitude=latitude, gravity=table.given("gravity"), height=table.number("height")
         )
 
 
-def _drag(table: Table, pendulum: kp.Pendulum, bob: kp.Bob | None) -> kp.Drag:
-    ways = ("linear", "quality", "half_life", "from_bob")
-    table.allow((*ways, "quadratic", "thread_diameter"))
-    way = _one_of(table, ways)
-    if table.truth("from_bob", default=False):
+def _drag(table: Entries, pendulum: kp.Pendulum, bob: kp.Bob | None) -> kp.Drag:
+    if table.truth("from_bob"):
         return _drag_from_bob(table, pendulum, bob)
-    if "thread_diameter" in table.entries:
-        raise kp.InvalidInput(f"{table.where('thread_diameter')} goes with from_bob = true only.")
-    with named(table):
-        match way:
-            case "quality":
-                drag = kp.Drag.from_quality(plain_number(table, "quality", 800), pendulum)
-            case "half_life":
-                drag = kp.Drag.from_half_life(table.quantity("half_life", TIME))
-            case _:
-                drag = kp.Drag(table.quantity("linear", DECAY, default=0.0))
-        return replace(drag, quadratic=table.quantity("quadratic", QUADRATIC, default=0.0))
+    if "thread_diameter" in table:
+        raise Mistake(
+            f"{table.where('thread_diameter')} goes with from_bob = true only.",
+            "drag",
+            "thread_diameter",
+        )
+    with table.at():
+        if (quality := table.given("quality")) is not None:
+            drag = kp.Drag.from_quality(quality, pendulum)
+        elif (half_life := table.given("half_life")) is not None:
+            drag = kp.Drag.from_half_life(half_life)
+        else:
+            drag = kp.Drag(table.number("linear"))
+        return replace(drag, quadratic=table.number("quadratic"))
 
 
-def _drag_from_bob(table: Table, pendulum: kp.Pendulum, bob: kp.Bob | None) -> kp.Drag:
+def _drag_from_bob(table: Entries, pendulum: kp.Pendulum, bob: kp.Bob | None) -> kp.Drag:
     if bob is None:
-        raise kp.InvalidInput(
-            f"{table.where('from_bob')} = true needs a table [bob] with radius and density."
+        raise Mistake(
+            f"{table.where('from_bob')} = true needs a table [bob] with radius and density.",
+            "drag",
+            "from_bob",
         )
-    if "quadratic" in table.entries:
-        raise kp.InvalidInput(
+    if "quadratic" in table:
+        raise Mistake(
             f"{table.where('quadratic')} does not go with from_bob = true, which says both the "
-            "linear and the quadratic drag; leave one of them out."
+            "linear and the quadratic drag; leave one of them out.",
+            "drag",
+            "quadratic",
         )
-    with named(table):
-        diameter = table.quantity("thread_diameter", LENGTH, default=0.0)
-        return kp.Drag.from_bob(bob, pendulum, thread_diameter=diameter)
+    with table.at():
+        return kp.Drag.from_bob(bob, pendulum, thread_diameter=table.number("thread_diameter"))
 
 
-def _suspension(table: Table) -> kp.Suspension:
-    periods = ("period_along", "period_across")
-    table.allow(("anisotropy", *periods, "axis", "damping_anisotropy", "damping_axis"))
-    axis = table.quantity("axis", ANGLE, default=0.0)
-    damping = table.quantity("damping_anisotropy", DECAY, default=0.0)
-    damping_axis = table.quantity("damping_axis", ANGLE, default=0.0)
-    with named(table):
-        if _one_of(table, ("anisotropy", "period_along", "period_across"), periods) in periods:
-            along, across = (table.quantity(key, TIME) for key in periods)
+def _suspension(table: Entries) -> kp.Suspension:
+    axis, damping = table.number("axis"), table.number("damping_anisotropy")
+    damping_axis = table.number("damping_axis")
+    with table.at():
+        if "period_along" in table or "period_across" in table:
+            along, across = table.number("period_along"), table.number("period_across")
             return kp.Suspension.from_periods(along, across, axis, damping, damping_axis)
-        stiffness = table.quantity("anisotropy", RATE, default=0.0)
-        return kp.Suspension(stiffness, axis, damping, damping_axis)
+        return kp.Suspension(table.number("anisotropy"), axis, damping, damping_axis)
 
 
-def _bob(table: Table) -> kp.Bob:
-    table.allow(("radius", "diameter", "density", "thread_mass", "air_density"))
-    if _one_of(table, ("radius", "diameter")) == "diameter":
-        radius = table.quantity("diameter", LENGTH) / 2
-    else:
-        radius = table.quantity("radius", LENGTH)
-    with named(table):
+def _bob(table: Entries) -> kp.Bob:
+    diameter = table.given("diameter")
+    radius = table.number("radius") if diameter is None else diameter / 2
+    with table.at():
         return kp.Bob(
             radius=radius,
-            density=table.quantity("density", DENSITY),
-            thread_mass=table.quantity("thread_mass", MASS, default=0.0),
-            air_density=table.quantity("air_density", DENSITY, default=1.204),
+            density=table.number("density"),
+            thread_mass=table.number("thread_mass"),
+            air_density=table.number("air_density"),
         )
 
 
-def _drive(table: Table) -> kp.Drive:
-    table.allow(("push", "phase", "radius"))
-    with named(table):
+def _drive(table: Entries) -> kp.Drive:
+    with table.at():
         return kp.Drive(
-            push=table.quantity("push", SPEED),
-            phase=given(table, "phase", ANGLE),
-            radius=given(table, "radius", LENGTH),
+            push=table.number("push"), phase=table.given("phase"), radius=table.given("radius")
         )
-
-
-def given(table: Table, key: str, kind: Kind) -> float | None:
-    """A number in the SI unit of its kind, or None where the file has none."""
-    return table.quantity(key, kind) if key in table.entries else None
-
-
-def plain_number(table: Table, key: str, example: float) -> float:
-    """A number without a unit."""
-    value = table.entries[key]
-    if not isinstance(value, (int, float)) or isinstance(value, bool):
-        raise kp.InvalidInput(
-            f"{table.where(key)} = {show(value)} is not a plain number; write {key} = {example}."
-        )
-    return float(value)
-
-
-def _one_of(table: Table, keys: tuple[str, ...], together: tuple[str, ...] = ()) -> str:
-    """The one of several keys that is there, or ""; more than one exclude each other."""
-    present = tuple(key for key in keys if key in table.entries)
-    if len(present) > 1 and present != together:
-        raise kp.InvalidInput(
-            f"[{table.name}] has both {' and '.join(present)}, which say the same thing; give one "
-            f"of {', '.join(keys)}."
-        )
-    return present[0] if present else ""
-
-
-@contextmanager
-def named(table: Table) -> Generator[None]:
-    """Name the table in what the parameter itself refuses."""
-    try:
-        yield
-    except kp.InvalidInput as error:
-        if not error.kind:
-            raise  # it was the file's own value, which is named already
-        raise error.at(f"[{table.name}] ") from error

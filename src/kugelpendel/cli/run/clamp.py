@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from typing import TYPE_CHECKING
 
 import kugelpendel as kp
@@ -24,7 +25,9 @@ def clamp_notes(job: Job) -> dict[str, str]:
     if job.forces.site is None or suspension is None or not float(suspension.anisotropy):
         return {}
     try:
-        start = kp.Portrait.of(kp.EnvelopeMotion(job.pendulum, job.launch, job.forces))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # the report has the motion's own caution
+            start = kp.Portrait.of(kp.EnvelopeMotion(job.pendulum, job.launch, job.forces))
         found = kp.design(
             job.pendulum, start.a, start.b, azimuth=start.azimuth, forces=job.forces, checked=False
         )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,6 +15,7 @@ from kugelpendel.cli.run.ideal_report import report
 from kugelpendel.cli.run.real import run_real
 from kugelpendel.cli.terminal.describe import describe_launch
 from kugelpendel.cli.terminal.progress import Progress
+from kugelpendel.cli.terminal.streams import write_json
 from kugelpendel.cli.track.track import FIGURE, FILES, write_track
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ def run(file: Path, folder: Path | None, as_json: bool, track_format: str | None
     Parameters
     ----------
     file : Path
-        The job file.
+        The job file; ``-`` for standard input.
     folder : Path or None
         Where the files go; ``out/`` and the name of the job, unless given.
     as_json : bool
@@ -44,11 +44,11 @@ def run(file: Path, folder: Path | None, as_json: bool, track_format: str | None
     job = read_job(file)
     if track_format is not None:
         job = replace(job, format=track_format)
-    target = folder if folder is not None else Path("out") / file.stem
+    target = folder if folder is not None else Path("out") / job.file.stem
     do = run_real if job.is_real else _run_ideal
-    results, said, files = do(job, target, _capitalised(file.stem))
+    results, said, files = do(job, target, _capitalised(job.file.stem))
     if as_json:
-        sys.stdout.write(results)
+        write_json(results)
     else:
         print(said)
         print(f"\nIn {target}: {', '.join(files)}")
@@ -56,15 +56,14 @@ def run(file: Path, folder: Path | None, as_json: bool, track_format: str | None
 
 def _run_ideal(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
     """As `run_real`, for a job without forces: the exact motion in closed form."""
-    try:
+    with job.document.named():
         motion = kp.ExactMotion(job.pendulum, job.launch)
-    except kp.InvalidInput as error:
-        raise error.at(f"{job.file}: ") from error
     summary = kp.IdealSummary.of(motion)
     track = FILES[job.format]
     files = [track, FIGURE] if job.figure else [track]
     results = ideal_json.as_json(job, summary, files)
-    with staged(target, (*FILES.values(), FIGURE, ideal_json.FILE)) as temporary:
+    replaced = (*FILES.values(), FIGURE, ideal_json.FILE)
+    with staged(target, replaced, (*files, ideal_json.FILE)) as temporary:
         with Progress("Writing the track", job.grid.count) as progress:
             write_track(temporary / track, motion, job.grid, job.format, progress.advance)
         if job.figure:

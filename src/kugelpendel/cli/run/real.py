@@ -93,7 +93,8 @@ def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
     """
     motion = real_motion(job)
     track = FILES[job.format]
-    with staged(target, _FILES) as temporary, StopRequest() as request:
+    writes = (track, FIGURE, ideal_json.FILE) if job.figure else (track, ideal_json.FILE)
+    with staged(target, _FILES, writes) as temporary, StopRequest() as request:
         summary, samples = _follow(job, motion, temporary / track, request)
         stopped = (
             request.stop and not summary.slack_time < math.inf and summary.until < job.grid.duration
@@ -131,10 +132,11 @@ def _follow(
             times = grid.step * np.arange(rows, _rows(grid, until), dtype=np.float64)
             leg = follower.to(until, times, within=_BREATH)
             if leg.ending and leg.until == 0:
-                raise kp.InvalidInput(
-                    f"{job.file}: The thread is slack at the launch, so there is no motion; start "
-                    f"lower or faster."
-                )
+                with job.document.named():
+                    raise kp.InvalidInput(
+                        "The thread is slack at the launch, so there is no motion; start lower or "
+                        "faster."
+                    )
             if len(leg.times):
                 write(Block(rows, leg.times, leg.position, leg.velocity, leg.tension))
             rows += len(leg.times)
@@ -159,10 +161,12 @@ def real_motion(job: Job) -> kp.RealMotion:
     InvalidInput
         With the name of the file.
     """
-    try:
-        return kp.RealMotion(job.pendulum, job.launch, job.forces)
-    except kp.InvalidInput as error:
-        raise error.at(f"{job.file}: ") from error
+    with job.document.named():
+        return _motion(job)
+
+
+def _motion(job: Job) -> kp.RealMotion:
+    return kp.RealMotion(job.pendulum, job.launch, job.forces)
 
 
 def averaged_motion(job: Job) -> kp.EnvelopeMotion:

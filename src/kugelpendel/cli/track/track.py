@@ -8,6 +8,7 @@ import numpy as np
 
 from kugelpendel.cli.track import formats
 from kugelpendel.cli.track.block import Block
+from kugelpendel.cli.track.trial import announce, cost
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -32,10 +33,14 @@ BLOCK = 1 << 16
 """Samples held at once: 4 MiB, so that a long track takes no more memory than a short one."""
 
 
+WORTH_A_TRIAL = 1_000_000
+"""Samples; fewer are written in a second or two, and have less than 200 MB."""
+
+
 def write_track(
     path: Path, motion: ExactMotion, grid: Grid, track_format: str, done: Callable[[int], None]
 ) -> None:
-    """Write a track.
+    """Write a track; what a long or a large one costs is said before.
 
     Parameters
     ----------
@@ -52,7 +57,10 @@ def write_track(
     done : callable
         Told how many samples were written since the last call.
     """
-    with WRITERS[track_format](path, grid.count) as write:
+    writer = WRITERS[track_format]
+    if grid.count > WORTH_A_TRIAL:
+        announce(path.parent, grid, cost(path.parent, motion, grid, writer))
+    with writer(path, grid.count) as write:
         for first in range(0, grid.count, BLOCK):
             stop = min(first + BLOCK, grid.count)
             write(Block.of(motion, first, grid.step * np.arange(first, stop, dtype=np.float64)))

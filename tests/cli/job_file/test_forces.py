@@ -6,13 +6,16 @@ from typing import Any
 import pytest
 
 import kugelpendel as kp
-from kugelpendel.cli.job_file.forces import FORCES, read_forces
-from kugelpendel.cli.job_file.table import split
+from kugelpendel.cli.job_file.entries import take_apart
+from kugelpendel.cli.job_file.forces import read_forces
+from kugelpendel.cli.job_file.schema import JOB
+
+OTHERS = {"launch": {"kind": "at_rest", "theta": 0.1}, "output": {"duration": 1, "step": 1}}
 
 
 def read(**tables: dict[str, Any]) -> tuple[kp.Pendulum, bool, kp.Forces]:
-    given = {"pendulum": {"length": "20 m"}, **tables}
-    return read_forces({table.name: table for table in split(given, ("pendulum",), FORCES)})
+    given = {"pendulum": {"length": "20 m"}, **OTHERS, **tables}
+    return read_forces(take_apart(given, JOB), given)
 
 
 def test_nothing_but_a_pendulum() -> None:
@@ -72,7 +75,7 @@ def test_two_periods() -> None:
 BALL = {"radius": "10 cm", "density": 7860}
 REFUSED: list[tuple[dict[str, dict[str, Any]], str]] = [
     ({"sight": {}}, r"^\[sight\] is not known \(did you mean site\?\); a job has the tables"),
-    ({"site": {}}, r'^\[site\] latitude is missing; write latitude = "30 deg"'),
+    ({"site": {}}, r'^\[site\] latitude is missing; write latitude = "48.85 deg"'),
     ({"site": {"latitude": "95 deg"}}, r'^\[site\] latitude = "95 deg" lies beyond a pole; write'),
     ({"site": {"latitude": 48.8}}, r"^\[site\] latitude = 48.8 lies beyond a pole"),
     ({"site": {"latitude": "48 m"}}, r"^\[site\] latitude .* is not an angle"),

@@ -1,0 +1,184 @@
+"""The text of a job file, and a sentence for everything that can be wrong with a file as such."""
+
+from __future__ import annotations
+
+import re
+import sys
+import tomllib
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from kugelpendel import InvalidInput, KugelpendelError
+from kugelpendel.cli.job_file.entries import Mistake
+from kugelpendel.cli.job_file.schema_text import example
+
+if TYPE_CHECKING:
+    from collections.abc import Generator
+
+    from kugelpendel.cli.job_file.schema import FileSchema
+
+STANDARD_INPUT = Path("-")
+"""What is named to read the file from there."""
+
+_LARGEST = 1 << 20  # bytes; a job has a few hundred
+
+
+@dataclass(frozen=True)
+class Document:
+    """A TOML file that was read.
+
+    Attributes
+    ----------
+    path
+        Its name; ``stdin`` for standard input.
+    text, tables
+        What it says.
+    """
+
+    path: Path
+    text: str
+    tables: dict[str, Any]
+
+    @contextmanager
+    def named(self) -> Generator[None]:
+        """Name the file, and where it can be known the line, in what is refused."""
+        try:
+            yield
+        except KugelpendelError as error:
+            line = self._line(error)
+            raise error.at(f"{self.path}, line {line}: " if line else f"{self.path}: ") from error
+
+    def _line(self, error: KugelpendelError) -> int | None:
+        """Where the mistake stands: that of the table and key, or of the value that was seen."""
+        if isinstance(error, Mistake):
+            return line_of(self.text, error.section, error.key)
+        for seen in error.values:
+            section, _, key = seen.name.rpartition(".")
+            if key in self.tables.get(section, ()):
+                return line_of(self.text, section, key)
+        return None
+
+
+def read_document(path: Path, schema: FileSchema) -> Document:
+    """Read a TOML file; that on standard input where the path is ``-``.
+
+    Parameters
+    ----------
+    path
+        The file.
+    schema
+        What it may say, for the example that is shown for an empty file.
+
+    Raises
+    ------
+    InvalidInput
+        Missing, a folder, unreadable, too large, not UTF-8, empty, or not TOML.
+    """
+    content, name = _from_stdin() if path == STANDARD_INPUT else (_content(path), path)
+    text = _decoded(content, name)
+    try:
+        tables = tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        raise InvalidInput(f"{name} is not valid TOML: {_explained(error, text)}") from error
+    if not tables:
+        raise InvalidInput(f"{name} is empty. A job looks like this:\n\n{example(schema)}")
+    return Document(name, text, tables)
+
+
+def line_of(text: str, section: str, key: str) -> int | None:
+    """Find the line of a key, or that of its table where the key is not there; None for neither.
+
+    TOML's own reader keeps no places. A line that looks like the one sought is it if what stands
+    above it is TOML by itself, which it is not in the middle of a string of several lines.
+    """
+    if not section:
+        return None
+    name, quoted = re.escape(section), rf"[\"']?{re.escape(section)}[\"']?"
+    header = re.compile(rf"\s*\[+\s*{quoted}\s*\]")
+    inline = re.compile(rf"\s*{quoted}\s*[=.]")
+    entry = re.compile(rf"\s*(?:{name}\s*\.\s*)?[\"']?{re.escape(key)}[\"']?\s*=")
+    lines = text.split("\n")
+    found, inside = None, False
+    for number, line in enumerate(lines, start=1):
+        is_header = re.match(r"\s*\[", line) is not None
+        starts = header.match(line) is not None
+        fits = starts or inline.match(line) is not None
+        sought = bool(key) and entry.match(line) is not None and (inside or "." in line)
+        if (fits or sought) and _is_toml("\n".join(lines[: number - 1])):
+            found = number if sought or found is None else found
+            if sought:
+                return number
+        if is_header:
+            inside = starts
+    return found
+
+
+def _is_toml(text: str) -> bool:
+    try:
+        tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError):
+        return False
+    return True
+
+
+def _explained(error: Exception, text: str) -> str:
+    """What the reader of TOML says, and what is meant where one can tell."""
+    place = re.search(r"at line (\d+)", str(error))
+    if place is not None:
+        line = text.split("\n")[int(place[1]) - 1].strip()
+        comma = re.fullmatch(r"([\w\"'.-]+)\s*=\s*([+-]?\d+,\d[^#]*?)\s*(?:#.*)?", line)
+        if comma is not None:
+            return (
+                f"line {place[1]}, {line}, has a decimal comma outside quotes; write "
+                f'{comma[1]} = "{comma[2]}", with the unit, or a point: {comma[1]} = '
+                f"{comma[2].replace(',', '.')}."
+            )
+    return f'{error}. A value is a number or stands in quotes: length = "67 m".'
+
+
+def _from_stdin() -> tuple[bytes, Path]:
+    if sys.stdin is None or sys.stdin.closed:
+        raise InvalidInput("standard input is closed; name a job file instead of -.")
+    try:
+        return sys.stdin.buffer.read(_LARGEST + 1), Path("stdin")
+    except OSError as error:
+        raise InvalidInput(f"standard input cannot be read: {error.strerror or error}.") from error
+
+
+def _content(path: Path) -> bytes:
+    try:
+        if path.is_dir():
+            raise InvalidInput(f"{path} is a folder; name a job file, such as {path}/job.toml.")
+        with path.open("rb") as file:
+            return file.read(_LARGEST + 1)
+    except FileNotFoundError as error:
+        raise InvalidInput(f"{path} does not exist{_neighbours(path)}.") from error
+    except (OSError, ValueError) as error:  # a name with a zero in it is a ValueError
+        said = getattr(error, "strerror", None) or error
+        raise InvalidInput(f"{path} cannot be read: {said}.") from error
+
+
+def _decoded(content: bytes, name: Path) -> str:
+    if len(content) > _LARGEST:
+        raise InvalidInput(
+            f"{name} is larger than {_LARGEST // 1024} KiB, and a job has a few hundred bytes; "
+            "is this the right file?"
+        )
+    try:
+        return content.decode("utf-8-sig").replace("\r\n", "\n")
+    except UnicodeDecodeError as error:
+        raise InvalidInput(
+            f"{name} is not UTF-8 text (byte 0x{content[error.start]:02x} at position "
+            f"{error.start}); save it as UTF-8."
+        ) from error
+
+
+def _neighbours(path: Path) -> str:
+    try:
+        found = sorted(file.name for file in path.parent.glob("*.toml"))
+    except OSError:
+        found = []
+    shown = ", ".join(found[:6]) + (", …" if len(found) > 6 else "")
+    return f"; that folder has {shown}" if found else ""

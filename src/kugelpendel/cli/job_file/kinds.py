@@ -1,0 +1,45 @@
+"""What a number in a file may measure."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Kind:
+    """What a number measures.
+
+    Attributes
+    ----------
+    name
+        As a sentence calls it.
+    unit
+        The SI unit that it is turned into.
+    example
+        A value to paste.
+    most
+        The largest size that makes sense, in the SI unit.
+    """
+
+    name: str
+    unit: str
+    example: str
+    most: float = math.inf
+
+
+LENGTH = Kind("a length", "m", "3 cm")
+TIME = Kind("a time", "s", "10 min")
+MASS = Kind("a mass", "kg", "28 kg")
+ACCELERATION = Kind("an acceleration", "m/s^2", "9.81 m/s^2")
+SPEED = Kind("a speed", "m/s", "5 cm/s")
+ANGLE = Kind("an angle", "rad", "30 deg", 2 * math.pi * (1 + 1e-15))
+"""Up to a full turn to either side, so that 45 for 45° is not taken for 45 rad."""
+LATITUDE = Kind("an angle", "rad", "30 deg")
+"""An angle that may also end in N or S; how far it goes, the site knows."""
+RATE = Kind("an angular velocity", "rad/s", "30 deg/s")
+DENSITY = Kind("a density", "kg/m^3", "8500 kg/m^3")
+DECAY = Kind("a decay rate", "1/s", "1e-5 1/s")
+QUADRATIC = Kind("a quadratic drag", "1/m", "1e-3 1/m")
+PRESSURE = Kind("a pressure", "Pa", "200 GPa")
+EXPANSION = Kind("an expansion", "1/K", "1.2e-5 1/K")

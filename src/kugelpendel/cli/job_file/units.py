@@ -1,0 +1,105 @@
+"""Units as people write them: how many of the SI unit one is, and which are refused as ambiguous.
+
+pint knows the units. What it would read otherwise than most people mean is refused before: Grad is
+its giga-radian, grad the gon, gr the grain, Min the mega-inch.
+"""
+
+# pint's stubs leave its own generic types open.
+# pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
+
+from __future__ import annotations
+
+import re
+import tokenize
+from decimal import Decimal
+from functools import cache
+from typing import TYPE_CHECKING, Any, cast
+
+if TYPE_CHECKING:
+    import pint
+
+    from kugelpendel.cli.job_file.kinds import Kind
+
+_NAME = r"[^\W\d_]+|[°%]"
+_POWER = r"(?:(?:\^|\*\*)\s*-?[1-9]|⁻?[¹²³])?"
+_FACTOR = rf"(?:{_NAME}){_POWER}"
+_PRODUCT = rf"{_FACTOR}(?:(?:\s*[*·]\s*|\s+){_FACTOR})*"
+_UNIT = re.compile(rf"(?:1|{_PRODUCT})(?:\s*/\s*(?:{_FACTOR}|\({_PRODUCT}\)))*")
+"""Products and quotients of powers. Nothing else reaches pint, whose parser also calculates."""
+
+_GON = 'means degrees to some and gon to others; write "deg" or "gon"'
+_GRAIN = 'means gram to some, but is the grain of 64.8 mg; write "g" or "grain"'
+_LOOKALIKES = {
+    **dict.fromkeys(("grad", "Grad", "GRAD", "grads", "grade", "grades"), _GON),
+    **dict.fromkeys(("gr", "Gr", "GR"), _GRAIN),
+}
+
+_SMALL = ("milli", "micro", "nano", "pico", "femto")
+_PREFIXES = {
+    **dict.fromkeys(("radian", "arcsecond"), _SMALL),
+    **dict.fromkeys(("meter", "gram", "second", "newton", "pascal", "hertz"), None),
+}
+"""Units that have prefixes, and which; None for all. Min, kdeg and Mrad are not meant."""
+
+
+class UnitRefused(Exception):
+    """A unit that is not known, or not unambiguous; the message goes on after its name."""
+
+
+def size_of(unit: str, kind: Kind) -> Decimal | None:
+    """Say how many SI units of its kind one of a unit is; None where it is of another kind.
+
+    Raises
+    ------
+    UnitRefused
+        The unit is not known, or it looks like another one.
+    """
+    if _UNIT.fullmatch(unit) is None:
+        raise UnitRefused("is not known")
+    names: list[str] = re.findall(_NAME, unit)
+    for name in names:
+        if name in _LOOKALIKES:
+            raise UnitRefused(_LOOKALIKES[name])
+    try:
+        scale, root, parts = _parsed(unit)
+    except _PINT_LETS_OUT as error:
+        raise UnitRefused("is not known") from error
+    si, expected, _ = _parsed(kind.unit)
+    if root != expected:
+        return None
+    for prefix, base in parts:
+        allowed = _PREFIXES.get(base, ())
+        if prefix and allowed is not None and prefix not in allowed:
+            raise UnitRefused(f"would be a {prefix}{base}, which nobody means")
+    return scale / si
+
+
+_PINT_LETS_OUT = (
+    # Apart from its own errors, pint lets those of its parser and of the tokenizer out.
+    AssertionError,
+    ValueError,
+    TypeError,
+    SyntaxError,
+    LookupError,
+    AttributeError,
+    ArithmeticError,
+    RecursionError,
+    tokenize.TokenError,
+)
+
+
+@cache
+def _parsed(unit: str) -> tuple[Decimal, Any, tuple[tuple[str, str], ...]]:
+    """Size and root of a unit, and its names taken apart into prefix and what follows it."""
+    registry = _registry()
+    names = registry.parse_units_as_container(unit.replace("·", "*"))
+    scale, root = registry.get_root_units(names)
+    parts = tuple(registry.parse_unit_name(name)[0][:2] for name in names)
+    return Decimal(cast("Decimal", scale)), root, parts
+
+
+@cache
+def _registry() -> pint.UnitRegistry[Any]:
+    import pint
+
+    return pint.UnitRegistry(non_int_type=Decimal)  # pyright: ignore[reportArgumentType]

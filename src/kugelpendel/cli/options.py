@@ -1,0 +1,79 @@
+"""Arguments that several commands have."""
+
+from __future__ import annotations
+
+import argparse
+import textwrap
+from pathlib import Path
+from typing import TYPE_CHECKING, Protocol
+
+from kugelpendel.cli.job_file.schema_text import example, listing
+
+if TYPE_CHECKING:
+    from kugelpendel.cli.job_file.schema import FileSchema
+
+
+class Commands(Protocol):
+    """Where a command adds its parser."""
+
+    def add_parser(
+        self,
+        name: str,
+        *,
+        help: str,  # noqa: A002 - it is argparse's
+        description: str,
+        epilog: str | None = None,
+    ) -> argparse.ArgumentParser:
+        """Add one."""
+        ...
+
+
+class Refused(Exception):
+    """An argument that makes no sense; the message is the sentence to say.
+
+    It is none of the errors of which argparse would make a line of its own.
+    """
+
+
+def a_path(text: str) -> Path:
+    """A path, in which ``~`` is the user's folder; ``-`` stays what it is."""
+    if not text:
+        raise Refused("an empty name names no file or folder; write . for the present folder.")
+    try:
+        return Path(text).expanduser()
+    except RuntimeError as error:  # no such user, or one without a folder
+        raise Refused(
+            f"{text}: there is no user of that name; write ~ alone for your own folder, or "
+            f"./{text} for a file whose name begins so."
+        ) from error
+
+
+def a_folder(text: str) -> Path:
+    """A folder for several files, which standard output cannot be."""
+    if text == "-":
+        raise Refused(
+            "--out -: several files do not fit into standard output; --json prints the results "
+            "there, and ./- is a folder of that name."
+        )
+    return a_path(text)
+
+
+def takes_a_file(parser: argparse.ArgumentParser, schema: FileSchema, what: str) -> None:
+    """Let a command take a job file and say where the files go; its help shows such a file."""
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.description = textwrap.fill(parser.description or "", 78)
+    indented = example(schema).replace("\n", "\n  ").replace("\n  \n", "\n\n").rstrip()
+    parser.epilog = (
+        "What a file may say; quantities have a unit or are plain SI numbers:\n\n"
+        f"{listing(schema)}\n\n"
+        f"A file looks like this:\n\n  {indented}\n"
+    )
+    parser.add_argument(
+        "file", type=a_path, metavar="FILE.toml", help=f"{what}; - reads standard input"
+    )
+    parser.add_argument(
+        "--out", type=a_folder, metavar="DIR", help="folder for the files (default: out/NAME)"
+    )
+    parser.add_argument(
+        "--json", action="store_true", help="print the results as JSON, and nothing else, on stdout"
+    )

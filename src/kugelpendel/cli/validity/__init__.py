@@ -1,0 +1,1 @@
+"""kugelpendel validity: how good the formulas for small ellipses are."""
