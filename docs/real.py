@@ -16,8 +16,7 @@ from matplotlib.figure import Figure
 
 import kugelpendel as kp
 from kugelpendel.cli.job_file.job import read_job
-from kugelpendel.cli.run.findings import envelope
-from kugelpendel.cli.run.real import real_motion
+from kugelpendel.cli.run.real import averaged_motion, real_motion
 from kugelpendel.observables import osculating_ellipse
 from kugelpendel.plot._ink import INNER, OUTER, QUIET, STYLE, TEXT
 from kugelpendel.spelling import spell
@@ -306,7 +305,7 @@ def examples_table() -> str:
     rows = []
     for name in EXAMPLES:
         job = read_job(Path(__file__).parent.parent / "examples" / f"{name}.toml")
-        found = apart(envelope(job), lambda job=job: real_motion(job), job.grid.duration)
+        found = apart(averaged_motion(job), lambda job=job: real_motion(job), job.grid.duration)
         hours = f"{job.grid.duration / HOUR:g} h"
         rows.append((f"`{name}.toml`", hours, *(shown(value) for value in found[:3])))
     return table(["example", "over", "azimuth, °", "a, of a", "b, of a"], rows)

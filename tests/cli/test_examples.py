@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from kugelpendel.cli.job_file.job import Job, read_job
-from kugelpendel.cli.run.findings import envelope
-from kugelpendel.cli.run.real import real_motion
+from kugelpendel.cli.run.real import averaged_motion, real_motion
 from kugelpendel.motion import PrecessionBudget
 
 REAL = ["guelph", "museum", "pantheon-day", "short", "short-remedy"]
@@ -53,7 +52,7 @@ def story(request: pytest.FixtureRequest, repository: Path) -> tuple[str, Job, P
     """A real example, and what turns its plane."""
     job = read_job(repository / "examples" / f"{request.param}.toml")
     times = np.linspace(0.0, job.grid.duration, 4001)
-    return request.param, job, envelope(job).rates(times)
+    return request.param, job, averaged_motion(job).rates(times)
 
 
 def test_full_equations_end_where_the_averaged_ones_do(story) -> None:
@@ -84,7 +83,7 @@ def _pantheon_day(job: Job, shares: PrecessionBudget) -> None:
     (hurries,) = [stretch for stretch in shares.stretches() if stretch.pace == "hurries"]
     assert hurries.cause == "intrinsic"
     assert hurries.stop < 8 * 3600
-    b = envelope(job).semi_axes(shares.times)[:, 1]
+    b = averaged_motion(job).semi_axes(shares.times)[:, 1]
     assert 0.03 < np.abs(b).max() < 0.04  # "a few centimetres wide"
 
 
@@ -92,7 +91,7 @@ def _museum(job: Job, shares: PrecessionBudget) -> None:
     odd = [(stretch.pace, stretch.cause) for stretch in shares.stretches() if stretch.cause]
     assert odd == [("hurries", "damping"), ("lags", "damping")]
     assert np.abs(shares.intrinsic + shares.drive).max() < 0.1 * np.abs(shares.intrinsic).max()
-    a = envelope(job).semi_axes(shares.times)[:, 0]
+    a = averaged_motion(job).semi_axes(shares.times)[:, 0]
     assert np.abs(a / 0.8 - 1).max() < 0.03
 
 
@@ -102,7 +101,7 @@ def _short(job: Job, shares: PrecessionBudget) -> None:
     assert np.abs(_hourly(shares.total[two_hours:])).max() < 1
     assert abs(_hourly(shares.total)[-1]) < 0.01
     assert _hourly(shares.total).min() < -70
-    b = envelope(job).semi_axes(shares.times)[:, 1]
+    b = averaged_motion(job).semi_axes(shares.times)[:, 1]
     assert b[-1] == pytest.approx(0.53e-3, rel=0.03)  # "the half millimetre"
 
 

@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose
 import kugelpendel as kp
 from kugelpendel import plot
 from kugelpendel.motion import PrecessionBudget
-from kugelpendel.observables import Course
+from kugelpendel.observables import Apsides
 
 SITE = kp.Site(math.radians(48.0))
 PENDULUM = kp.Pendulum(20.0, float(SITE.gravity))
@@ -41,19 +41,19 @@ def name(request: pytest.FixtureRequest) -> str:
     return request.param
 
 
-def draw(name: str, told: bool = True) -> tuple[Figure, Course, PrecessionBudget]:
+def draw(name: str, told: bool = True) -> tuple[Figure, Apsides, PrecessionBudget]:
     launch, forces, duration = STORIES[name]
     averaged = kp.EnvelopeMotion(PENDULUM, launch, **forces)
     times = np.linspace(0.0, duration, 500)
     a, b = averaged.semi_axes(times).T
     site = forces.get("site")
     ideal = -float(site.vertical_rotation) if site is not None else 0.0
-    course = Course(times, a, b, averaged.azimuth(times), ideal, float(np.abs(b).max()))
+    apsides = Apsides(times, a, b, averaged.azimuth(times), ideal, float(np.abs(b).max()))
     shares = averaged.rates(times)
     real = kp.RealMotion(PENDULUM, launch, **forces)
-    figure = plot.day(real, course, shares if told else None, "A title")
+    figure = plot.day(real, apsides, shares if told else None, "A title")
     figure.canvas.draw()
-    return figure, course, shares
+    return figure, apsides, shares
 
 
 def test_every_story_renders(name: str) -> None:
@@ -101,10 +101,10 @@ def test_nothing_sticks_out_or_overlaps(name: str) -> None:
 
 
 def test_ideal_line_stands_beside_the_azimuth() -> None:
-    figure, course, _ = draw("clamp")
+    figure, apsides, _ = draw("clamp")
     azimuth, ahead = figure.axes[:2]
     seen, ideal = (np.asarray(line.get_ydata()) for line in azimuth.lines)
-    assert_allclose(seen, np.degrees(course.azimuth))
+    assert_allclose(seen, np.degrees(apsides.azimuth))
     assert np.ptp(ideal) == pytest.approx(15.041 * 6 * math.sin(math.radians(48)), rel=1e-4)
     labels = [text.get_text() for text in azimuth.get_legend().get_texts()]  # pyright: ignore[reportOptionalMemberAccess]
     assert labels[1] == "−Ω_E sin(latitude), −11.18 °/h"

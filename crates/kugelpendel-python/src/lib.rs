@@ -1,6 +1,7 @@
 //! Python bindings of the `kugelpendel` crate: flat arrays in, flat arrays out. Shapes, names and units are the Python
 //! side's business.
 
+mod apsides;
 mod builder;
 mod columns;
 mod envelope;
@@ -30,6 +31,8 @@ mod _core {
     const ROTATION: f64 = kugelpendel::ROTATION;
     #[pymodule_export]
     use super::steps_taken;
+    #[pymodule_export]
+    use crate::apsides::{ApsidesTrack, plane_rates};
     #[pymodule_export]
     use crate::builder::{
         PyDecay, budget_at_start, critical_amplitude, critical_anisotropy, critical_damping, passage_time,

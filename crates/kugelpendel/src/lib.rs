@@ -32,6 +32,7 @@ pub use envelope::{Envelope, EnvelopeMotion, EnvelopeWalks};
 pub use exact::ensemble::Ensemble;
 pub use exact::motion::ExactMotion;
 pub use given::*;
+pub use meaning::apsides::{ApsidesTrack, Apsis, STANDSTILL, mean_rate, rate_at_the_end, stands_since};
 pub use meaning::azimuth::{nearest, unwrap, unwrap_at};
 pub use meaning::budget::{ALIKE, Cause, Pace, PrecessionBudget, STALL, Stretch, stretches};
 pub use meaning::compare::{EllipseRates, SWINGS, distances, reach, relative_error};

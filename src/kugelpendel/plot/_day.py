@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     from kugelpendel import EnvelopeMotion, RealMotion
     from kugelpendel.motion import PrecessionBudget
-    from kugelpendel.observables import Course
+    from kugelpendel.observables import Apsides
 
 _SWINGS = 6
 """Swings in the plan view, evenly spread over the time."""
@@ -37,7 +37,7 @@ _POINTS = 120
 
 def day(
     motion: RealMotion | EnvelopeMotion,
-    course: Course,
+    apsides: Apsides,
     shares: PrecessionBudget | None,
     title: str = "",
 ) -> Figure:
@@ -47,7 +47,7 @@ def day(
     ----------
     motion : RealMotion or EnvelopeMotion
         One motion, not an ensemble; asked for a few swings.
-    course : Course
+    apsides : Apsides
         What was measured.
     shares : PrecessionBudget or None
         What turned the plane, by the averaged equations; None where they do not hold.
@@ -72,18 +72,18 @@ def day(
         axes_of_swing = right.subgridspec(2, 1)
         major = figure.add_subplot(axes_of_swing[0], sharex=azimuth)
         minor = figure.add_subplot(axes_of_swing[1], sharex=azimuth)
-        clock = unit_for(float(course.times[-1]), "s")
-        time = course.times / clock.size
-        _draw_azimuth(azimuth, ahead, course, time)
+        clock = unit_for(float(apsides.times[-1]), "s")
+        time = apsides.times / clock.size
+        _draw_azimuth(azimuth, ahead, apsides, time)
         draw_rates(rates, shares, clock)
-        lines, timeline = _draw_swings(plan, motion, course)
-        _draw_size(major, time, course.a, "a", "Half the length of the swing")
-        _draw_size(minor, time, course.b, "b", "Half its width, + counter-clockwise")
+        lines, timeline = _draw_swings(plan, motion, apsides)
+        _draw_size(major, time, apsides.a, "a", "Half the length of the swing")
+        _draw_size(minor, time, apsides.b, "b", "Half its width, + counter-clockwise")
         for axes in (azimuth, major):
             axes.tick_params(labelbottom=False)
         for axes in (ahead, rates, minor):
             axes.set_xlabel(f"time ({clock.symbol})")
-        last = shares.times[-1] if shares is not None else course.times[-1]
+        last = shares.times[-1] if shares is not None else apsides.times[-1]
         azimuth.set_xlim(0, float(last) / clock.size)
         azimuth.xaxis.set_major_locator(MaxNLocator(8, steps=[1, 2, 3, 4, 5, 6, 10]))
         for axes in (azimuth, plan):
@@ -99,41 +99,41 @@ def day(
     return figure
 
 
-def _draw_azimuth(axes: Axes, ahead: Axes, course: Course, time: NDArray[np.float64]) -> None:
+def _draw_azimuth(axes: Axes, ahead: Axes, apsides: Apsides, time: NDArray[np.float64]) -> None:
     """The azimuth with the ideal line, and below it how far the plane is from that line."""
     axes.plot(
         time,
-        np.degrees(course.azimuth),
+        np.degrees(apsides.azimuth),
         color=_ink.INNER,
         linewidth=1.8,
-        label=f"full equations, {spell_rate(course.mean_rate)} on average",
+        label=f"full equations, {spell_rate(apsides.mean_rate)} on average",
     )
-    apart = np.degrees(course.azimuth - course.ideal_azimuth)
-    if course.ideal:
+    apart = np.degrees(apsides.azimuth - apsides.foucault_azimuth)
+    if apsides.foucault_rate:
         axes.plot(
             time,
-            np.degrees(course.ideal_azimuth),
+            np.degrees(apsides.foucault_azimuth),
             "--",
             color=_ink.OUTER,
             linewidth=1.4,
-            label=f"−Ω_E sin(latitude), {spell_rate(course.ideal)}",
+            label=f"−Ω_E sin(latitude), {spell_rate(apsides.foucault_rate)}",
         )
     axes.set(title="Azimuth of the plane", ylabel="azimuth (°)")
     axes.margins(y=0.08)
     axes.legend(loc="best", frameon=False)
     ahead.axhline(0, color=_ink.OUTER, linestyle="--", linewidth=1.2)
     ahead.plot(time, apart, color=_ink.INNER, linewidth=1.5)
-    what = "off that line" if course.ideal else "turned"
+    what = "off that line" if apsides.foucault_rate else "turned"
     ahead.set(ylabel=f"{what} (°)")
     ahead.margins(y=0.15)
 
 
 def _draw_swings(
-    axes: Axes, motion: RealMotion | EnvelopeMotion, course: Course
+    axes: Axes, motion: RealMotion | EnvelopeMotion, apsides: Apsides
 ) -> tuple[LineCollection, _ink.Timeline]:
     """A few swings from above, x to the right and y up, to one scale."""
     swing = 2 * math.pi / float(motion.angular_frequency)
-    first, last = float(course.times[0]), float(course.times[-1])
+    first, last = float(apsides.times[0]), float(apsides.times[-1])
     starts = np.linspace(first, max(last - swing, first), _SWINGS)
     if last - first < _SWINGS * swing:
         starts, swing = np.array([first]), last - first

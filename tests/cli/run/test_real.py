@@ -15,6 +15,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 import kugelpendel as kp
+from kugelpendel import _core
+from kugelpendel.cli.job_file.job import read_job
+from kugelpendel.cli.run.real import real_motion
 
 REAL: dict[str, dict[str, Any]] = {
     "pendulum": {"length": "20 m", "mass": None},
@@ -165,12 +168,11 @@ def test_forces_too_strong_to_average_are_told_with_their_error(call, write) -> 
 
 
 def test_blocks_are_seamless(call, write, monkeypatch: pytest.MonkeyPatch) -> None:
-    from kugelpendel.cli.run import record
+    from kugelpendel.cli.run import real
 
     first = call("run", write(**REAL), "--json").results
     whole = _read("csv")
-    monkeypatch.setattr(record, "BLOCK", 7)
-    monkeypatch.setattr(record, "_FIRST", 0.01)
+    monkeypatch.setattr(real, "BLOCK", 7)
     second = call("run", write(**REAL), "--json").results
     assert_allclose(_read("csv"), whole, rtol=0, atol=0)
     # The azimuth is unwrapped block by block, which rounds differently.
@@ -233,7 +235,7 @@ def test_interrupted_tracks_are_whole(
 ) -> None:
     from kugelpendel.cli.terminal import estimate
 
-    class Hasty(estimate.Wish):
+    class Hasty(estimate.StopRequest):
         """Stops after the first stretch."""
 
         asked = 0
@@ -244,7 +246,8 @@ def test_interrupted_tracks_are_whole(
                 return type(self).asked > 1
             return super().__getattribute__(name)
 
-    monkeypatch.setattr("kugelpendel.cli.run.real.Wish", Hasty)
+    monkeypatch.setattr("kugelpendel.cli.run.real.StopRequest", Hasty)
+    monkeypatch.setattr("kugelpendel.cli.run.real.BLOCK", 100)
     outcome = call("run", write(**REAL), "--format", track_format, "--out", "out/job")
     assert outcome.code == 130
     assert "interrupted after" in outcome.err
@@ -265,15 +268,103 @@ def test_an_interrupted_job_goes_beside_its_folder() -> None:
 
 
 def test_second_interruption_leaves_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    from kugelpendel.cli.terminal.estimate import Wish
+    from kugelpendel.cli.terminal.estimate import StopRequest
 
-    with Wish() as wish:
+    with StopRequest() as wish:
         time.sleep(0)
         signal.raise_signal(signal.SIGINT)
         assert wish.stop
         with pytest.raises(KeyboardInterrupt):
             signal.raise_signal(signal.SIGINT)
-    assert signal.getsignal(signal.SIGINT) is not Wish._ask
+    assert signal.getsignal(signal.SIGINT) is not StopRequest._ask
+
+
+@pytest.mark.parametrize("name", ["pantheon-day", "museum", "guelph", "short", "short-remedy"])
+def test_a_job_is_one_pass(call, repository: Path, tmp_path: Path, name: str) -> None:
+    """Track, tension, turning points and figure together take the steps of one integration."""
+    text = (repository / "examples" / f"{name}.toml").read_text(encoding="utf-8")
+    text = re.sub(r'^duration = ".*"$', 'duration = "1 h"', text, flags=re.MULTILINE)
+    path = tmp_path / f"{name}.toml"
+    path.write_text(text, encoding="utf-8")
+    plain = real_motion(read_job(path))
+    before = _core.steps_taken()
+    plain.position(3600.0)
+    once = _core.steps_taken() - before
+    assert call("run", path).code == 0
+    assert (Path("out") / name / "figure.png").exists()
+    assert _core.steps_taken() - before - once <= 1.05 * once
+
+
+CIRCLE: dict[str, dict[str, Any]] = {
+    "pendulum": {"length": "10 m", "mass": None},
+    "launch": {"kind": "apsides", "a": "50 cm", "b": "50 cm"},
+    "site": {"latitude": "48 deg"},
+    "output": {"duration": "20 min", "step": "1 s", "figure": False},
+}
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_a_circle_has_revolutions_and_no_plane(call, write, sense: int) -> None:
+    """Bravais' pendulum: the bob's two senses differ by twice what the Earth turns."""
+    launch = {**CIRCLE["launch"], "b": f"{50 * sense} cm"}
+    outcome = call("run", write(**{**CIRCLE, "launch": launch}), "--json")
+    found = outcome.results["revolutions"]
+    assert found["sense"] == ("counter-clockwise" if sense > 0 else "clockwise")
+    earth = 7.292115e-5 * math.sin(math.radians(48))
+    this, other = (
+        2 * math.pi / found[f"{key}_s"] for key in ("period", "period_in_the_other_sense")
+    )
+    assert other - this == pytest.approx(2 * sense * earth, rel=1e-3)
+    assert found["last_period_s"] == pytest.approx(found["period_s"], rel=1e-4)
+    assert outcome.results["plane"]["mean_deg_per_h"] is None
+    assert outcome.results["plane"]["stands_since_s"] is None
+    said = call("run", write(**{**CIRCLE, "launch": launch})).out
+    assert re.search(r"^One revolution +6\.34\d+ s +.*a circle has no plane$", said, re.MULTILINE)
+    assert re.search(r"^  the other way +6\.3\d+ s +.*\d µs (longer|shorter)$", said, re.MULTILINE)
+    assert not re.search("stall|stand|Rate of the plane", said)
+
+
+def test_a_swing_is_no_circle(call, write) -> None:
+    assert call("run", write(**REAL), "--json").results["revolutions"] is None
+
+
+def test_a_plane_that_stands_is_told_before_any_mean(call, repository: Path) -> None:
+    outcome = call("run", repository / "examples" / "short.toml")
+    said = outcome.out
+    assert re.search(
+        r"^The plane stands +at −6\d\.\d° +since 2\.\d+ h, to the end$", said, re.MULTILINE
+    )
+    assert said.index("The plane stands") < said.index("Rate at the end") < said.index("mean over")
+    plane = json.loads(Path("out/short/results.json").read_text(encoding="utf-8"))["plane"]
+    assert 2.0 * 3600 < plane["stands_since_s"] < 3.0 * 3600
+    assert math.degrees(plane["stands_at_rad"]) == pytest.approx(-63.8, abs=0.1)
+    assert abs(plane["at_the_end_deg_per_h"]) < 0.01
+    assert plane["mean_deg_per_h"] == pytest.approx(-10.63, abs=0.01)
+    keys = list(plane)
+    assert keys.index("stands_since_s") < keys.index("mean_rad_per_s")
+
+
+def test_a_job_of_absurd_length_says_so_and_stops_at_once(write, tmp_path: Path) -> None:
+    """A sideways push of 10⁹ m: before, the events of the first stretch took 14 minutes."""
+    tables = {
+        "pendulum": {"length": "83 cm", "mass": None},
+        "launch": {"kind": "ellipse", "a": "3 cm", "b": "1e9 m"},
+        "site": {"latitude": "43.53 deg"},
+        "output": {"duration": "36 h", "step": "0.5 s", "figure": False},
+    }
+    command = [sys.executable, "-m", "kugelpendel", "run", str(write(**tables))]
+    command += ["--out", str(tmp_path / "target")]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stderr is not None
+        assert "this takes about" in process.stderr.readline()
+        sent = time.monotonic()
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=30)
+        # A leg of work of at most 0.2 s, and the way out of the interpreter.
+        assert time.monotonic() - sent < 3
+    assert process.returncode == 130
+    assert "interrupted" in err
+    assert not (tmp_path / "target").exists()
 
 
 def test_comparison_of_ideal_motions_refuses_forces(call, write) -> None:

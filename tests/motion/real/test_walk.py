@@ -166,10 +166,14 @@ class TestLegs:
         """Legs that end after no time at all go 64 steps, and nothing is lost between them."""
         times = np.linspace(0.0, 100.0, 1001)
         motion, walk, legs, rest = make(), make().walk(), [], times
+        whole = steps(lambda: motion.position(times))
+        before = _core.steps_taken()
         while walk.time < 100.0:
             legs.append(walk.to(100.0, rest, ("outer", "bottom"), within=0.0))
             rest = rest[len(legs[-1].times) :]
         assert len(legs) > 5
+        # Each leg does one step anew.
+        assert _core.steps_taken() - before <= whole + 2 * len(legs)
         position = np.concatenate([leg.position for leg in legs])
         np.testing.assert_array_equal(position, motion.position(times))
         kinds: tuple[EventKind, ...] = ("outer", "bottom")

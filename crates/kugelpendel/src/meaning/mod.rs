@@ -1,5 +1,6 @@
 //! What a motion means: the numbers that somebody reads off it, the same for every face of this crate.
 
+pub(crate) mod apsides;
 pub(crate) mod azimuth;
 pub(crate) mod budget;
 pub(crate) mod compare;

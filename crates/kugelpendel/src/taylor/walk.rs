@@ -113,6 +113,8 @@ struct Side {
     stride: u64,
     recent: VecDeque<Checkpoint>,
     ended: Option<(f64, Ending)>,
+    /// An end has been looked for, as far as it is.
+    searched: bool,
 }
 
 impl Walk {
@@ -135,7 +137,15 @@ impl Walk {
             let launch = motion.launch();
             let step = Step::before(launch);
             let checkpoints = vec![launch];
-            Box::new(Side { direction, step, checkpoints, stride: 1, recent: VecDeque::new(), ended: None })
+            Box::new(Side {
+                direction,
+                step,
+                checkpoints,
+                stride: 1,
+                recent: VecDeque::new(),
+                ended: None,
+                searched: false,
+            })
         });
         let is_past = |checkpoint: &Checkpoint| checkpoint.since(time) * direction >= 0.0;
         let spread = side.checkpoints.partition_point(|checkpoint| is_past(checkpoint));
@@ -177,11 +187,11 @@ impl Progress<'_> {
         }
     }
 
-    /// Keeps where a request begins.
-    fn remember(&mut self) {
-        let Side { step, recent, .. } = &mut *self.side;
-        if recent.iter().all(|checkpoint| checkpoint.count != step.start.count) {
-            recent.push_back(step.start);
+    /// Keeps where a request begins, or where one was left.
+    fn remember(&mut self, start: Checkpoint) {
+        let Side { recent, .. } = &mut *self.side;
+        if recent.iter().all(|checkpoint| checkpoint.count != start.count) {
+            recent.push_back(start);
             if recent.len() > RECENT {
                 recent.pop_front();
             }
@@ -268,7 +278,7 @@ fn sweep(
         }
         let done = order.peek().is_none() && !looking;
         if touched && std::mem::take(&mut is_first) {
-            progress.remember();
+            progress.remember(progress.side.step.start);
         }
         match progress.end(omega0.hi) {
             Some((time, ending)) if !done && order.peek().is_some() => {
@@ -281,8 +291,11 @@ fn sweep(
             }
             _ => {}
         }
+        let read = progress.side.step.start;
         progress.advance(motion);
         if progress.steps.is_multiple_of(PATIENCE) && stop() {
+            // Whoever goes on from here begins within the last step that is read.
+            progress.remember(read);
             // What is read lies before the step that is not, however its start is rounded.
             if side == 0 {
                 readings.until = progress.side.step.seconds(0.0, omega0.hi).next_down();
@@ -346,7 +359,8 @@ pub(crate) fn find_end(
     let mut progress = walk.seek(motion, usize::from(!forwards), Pair { hi: 0.0, lo: 0.0 });
     loop {
         let end = progress.end(omega0);
-        if end.is_some() || enough(&progress.side.step) {
+        if end.is_some() || progress.side.searched || enough(&progress.side.step) {
+            progress.side.searched = true;
             return Ok(end);
         }
         progress.advance(motion);

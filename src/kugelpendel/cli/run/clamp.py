@@ -7,7 +7,6 @@ import warnings
 from typing import TYPE_CHECKING
 
 import kugelpendel as kp
-from kugelpendel.cli.run.findings import envelope
 from kugelpendel.spelling import minus
 
 if TYPE_CHECKING:
@@ -29,7 +28,7 @@ def clamp_notes(job: Job) -> dict[str, str]:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # the report has the motion's own caution
-            start = kp.Portrait.of(envelope(job))
+            start = kp.Portrait.of(kp.EnvelopeMotion(job.pendulum, job.launch, job.forces))
         found = kp.design(
             job.pendulum, start.a, start.b, azimuth=start.azimuth, forces=job.forces, checked=False
         )

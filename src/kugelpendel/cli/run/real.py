@@ -8,31 +8,59 @@ whole, and DIR is as it was.
 
 from __future__ import annotations
 
+import math
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 import kugelpendel as kp
 from kugelpendel import plot
 from kugelpendel.cli.output import staged
 from kugelpendel.cli.run import ideal_json
-from kugelpendel.cli.run.findings import find
 from kugelpendel.cli.run.real_json import real_json
 from kugelpendel.cli.run.real_report import real_report
-from kugelpendel.cli.run.record import record
 from kugelpendel.cli.terminal.describe import describe_launch
-from kugelpendel.cli.terminal.estimate import Wish
+from kugelpendel.cli.terminal.estimate import Estimate, StopRequest
 from kugelpendel.cli.terminal.interrupted import Interrupted
 from kugelpendel.cli.terminal.progress import Progress
-from kugelpendel.cli.track.track import FIGURE, FILES
+from kugelpendel.cli.track.block import Block
+from kugelpendel.cli.track.track import BLOCK, FIGURE, FILES, WRITERS
+from kugelpendel.observables import Explanation, Follower, RealSummary, explain
 from kugelpendel.spelling import spell
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from kugelpendel.cli.job_file.job import Job
-    from kugelpendel.cli.run.findings import Findings
-    from kugelpendel.cli.run.record import Record
+    from kugelpendel.cli.job_file.sample_times import Grid
 
 _FILES = (*FILES.values(), FIGURE, ideal_json.FILE)
+
+_BREATH = 0.2
+"""s of work between two looks at the clock and at whether the user wants to stop."""
+
+
+@dataclass(frozen=True)
+class RealResults:
+    """What a real job has come to.
+
+    Attributes
+    ----------
+    summary : RealSummary
+        Of the motion.
+    explanation : Explanation
+        Of the plane's rate.
+    samples : int
+        Rows of the track.
+    stopped : bool
+        Whether the user stopped it.
+    """
+
+    summary: RealSummary
+    explanation: Explanation
+    samples: int
+    stopped: bool
 
 
 def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
@@ -66,25 +94,63 @@ def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
     motion = real_motion(job)
     track = FILES[job.format]
     writes = (track, FIGURE, ideal_json.FILE) if job.figure else (track, ideal_json.FILE)
-    with staged(target, _FILES, writes) as temporary, Wish() as wish:
-        seen = _follow(job, temporary / track, wish)
-        found = find(job, motion, seen)
+    with staged(target, _FILES, writes) as temporary, StopRequest() as request:
+        summary, samples = _follow(job, motion, temporary / track, request)
+        stopped = (
+            request.stop and not summary.slack_time < math.inf and summary.until < job.grid.duration
+        )
+        results = RealResults(summary, explain(motion, summary), samples, stopped)
         files = [track]
-        if seen.stopped:
-            _keep(job, found, temporary, _aside(target))
-        if job.figure and len(seen.course.times) > 1:
-            figure = plot.day(motion, seen.course, found.shares, f"{title}: {describe_launch(job)}")
-            plot.save(figure, temporary / FIGURE)
+        if stopped:
+            _keep(job, results, temporary, _aside(target))
+        if job.figure and len(summary.apsides.times) > 1:
+            shares = results.explanation.shares
+            heading = f"{title}: {describe_launch(job)}"
+            plot.save(plot.day(motion, summary.apsides, shares, heading), temporary / FIGURE)
             files.append(FIGURE)
-        results = real_json(job, found, files)
-        (temporary / ideal_json.FILE).write_text(results, encoding="utf-8")
-    return results, real_report(job, found), _named(seen, files)
+        text = real_json(job, results, files)
+        (temporary / ideal_json.FILE).write_text(text, encoding="utf-8")
+    return text, real_report(job, results), _named(samples, files)
 
 
-def _follow(job: Job, track: Path, wish: Wish) -> Record:
-    """Write the track, with a bar for who waits."""
-    with Progress("Following the pendulum", job.grid.duration) as bar, job.document.named():
-        return record(track, lambda: _motion(job), job.grid, job.format, wish, bar.advance)
+def _follow(
+    job: Job, motion: kp.RealMotion, path: Path, request: StopRequest
+) -> tuple[RealSummary, int]:
+    """Write the track in one pass over the motion, until the job, the motion or the user ends it.
+
+    Everything that the summary needs is noted on the way, with a bar for who waits.
+    """
+    grid, rows = job.grid, 0
+    end = grid.duration
+    follower, estimate = Follower(motion), Estimate(end)
+    with (
+        Progress("Following the pendulum", end) as progress,
+        WRITERS[job.format](path, None) as write,
+    ):
+        while follower.time < end and not follower.ending and not request.stop:
+            until = min(follower.time + BLOCK * grid.step, end)
+            times = grid.step * np.arange(rows, _rows(grid, until), dtype=np.float64)
+            leg = follower.to(until, times, within=_BREATH)
+            if leg.ending and leg.until == 0:
+                with job.document.named():
+                    raise kp.InvalidInput(
+                        "The thread is slack at the launch, so there is no motion; start lower or "
+                        "faster."
+                    )
+            if len(leg.times):
+                write(Block(rows, leg.times, leg.position, leg.velocity, leg.tension))
+            rows += len(leg.times)
+            progress.advance(leg.until - leg.start)
+            estimate.after(leg.until)
+    return follower.summary(), rows
+
+
+def _rows(grid: Grid, until: float) -> int:
+    """How many samples come no later than that."""
+    if until == grid.duration:
+        return grid.count
+    rows = min(math.floor(until / grid.step) + 1, grid.count)
+    return rows if grid.step * (rows - 1) <= until else rows - 1
 
 
 def real_motion(job: Job) -> kp.RealMotion:
@@ -103,19 +169,24 @@ def _motion(job: Job) -> kp.RealMotion:
     return kp.RealMotion(job.pendulum, job.launch, job.forces)
 
 
-def _keep(job: Job, found: Findings, temporary: Path, folder: Path) -> None:
+def averaged_motion(job: Job) -> kp.EnvelopeMotion:
+    """The averaged motion of a job under all of its forces."""
+    return kp.EnvelopeMotion(job.pendulum, job.launch, job.forces)
+
+
+def _keep(job: Job, results: RealResults, temporary: Path, folder: Path) -> None:
     """Put what is done into a folder of its own and leave."""
-    seen = found.record
-    if seen.samples == 0:
+    if results.samples == 0:
         raise Interrupted("interrupted before the first sample; nothing is written.")
     track = FILES[job.format]
     with staged(folder, _FILES) as kept:
         (temporary / track).rename(kept / track)
-        results = real_json(job, found, [track])
-        (kept / ideal_json.FILE).write_text(results, encoding="utf-8")
+        text = real_json(job, results, [track])
+        (kept / ideal_json.FILE).write_text(text, encoding="utf-8")
     raise Interrupted(
-        f"interrupted after {spell(seen.until, 's', 3)} of {spell(job.grid.duration, 's', 3)}; "
-        f"in {folder}: {', '.join(_named(seen, [track]))}."
+        f"interrupted after {spell(results.summary.until, 's', 3)} of "
+        f"{spell(job.grid.duration, 's', 3)}; in {folder}: "
+        f"{', '.join(_named(results.samples, [track]))}."
     )
 
 
@@ -124,6 +195,6 @@ def _aside(target: Path) -> Path:
     return target.with_name(f"{target.name}-interrupted") if target.name else target / "interrupted"
 
 
-def _named(seen: Record, files: list[str]) -> list[str]:
-    samples = f"{seen.samples:,}".replace(",", " ")
-    return [f"{files[0]} ({samples} samples)", *files[1:], ideal_json.FILE]
+def _named(samples: int, files: list[str]) -> list[str]:
+    count = f"{samples:,}".replace(",", " ")
+    return [f"{files[0]} ({count} samples)", *files[1:], ideal_json.FILE]

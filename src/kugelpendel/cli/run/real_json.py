@@ -16,8 +16,9 @@ if TYPE_CHECKING:
 
     import kugelpendel as kp
     from kugelpendel.cli.job_file.job import Job
-    from kugelpendel.cli.run.findings import Findings
+    from kugelpendel.cli.run.real import RealResults
     from kugelpendel.motion import PrecessionBudget
+    from kugelpendel.observables import RealSummary
 
 _ABOUT = (
     "kugelpendel: a real pendulum, full equations; SI units, named in the keys; azimuths, b and "
@@ -25,37 +26,38 @@ _ABOUT = (
 )
 
 
-def real_json(job: Job, found: Findings, files: Sequence[str]) -> str:
+def real_json(job: Job, found: RealResults, files: Sequence[str]) -> str:
     """All numbers of a real job as JSON text.
 
     Parameters
     ----------
     job : Job
         What was asked.
-    found : Findings
+    found : RealResults
         What was found.
     files : sequence of str
         Names of the other files in the output folder.
     """
-    seen = found.record
+    seen, told = found.summary, found.explanation
     tables = {
         "about": _ABOUT,
         **describe_start(job),
         "forces": _forces(job.forces),
         "periods": {
-            "small_swings_of_a_point_s": found.point_period,
-            "small_swings_s": found.small_period,
+            "small_swings_of_a_point_s": seen.point_period,
+            "small_swings_s": seen.small_period,
             "first_swing_s": seen.swing_periods[0],
             "last_swing_s": seen.swing_periods[1],
         },
-        "plane": _plane(found),
-        "swing": _swing(found),
-        "shares": None if found.shares is None else _shares(found.shares),
-        "why_no_shares": found.why_no_shares or None,
+        "plane": _plane(seen),
+        "revolutions": _revolutions(seen),
+        "swing": _swing(seen),
+        "shares": None if told.shares is None else _shares(told.shares),
+        "why_no_shares": told.why_not or None,
         "clamp": clamp_notes(job) or None,
         "averaged_equations": {
-            "full_less_averaged_azimuth_at_the_end_rad": found.apart,
-            "caution": found.caution or None,
+            "full_less_averaged_azimuth_at_the_end_rad": told.apart,
+            "caution": told.caution or None,
         },
         "tension": {
             "least_N": seen.tension[0],
@@ -66,9 +68,9 @@ def real_json(job: Job, found: Findings, files: Sequence[str]) -> str:
         "output": {
             "duration_s": job.grid.duration,
             "step_s": job.grid.step,
-            "samples": seen.samples,
+            "samples": found.samples,
             "followed_until_s": seen.until,
-            "interrupted": seen.stopped,
+            "interrupted": found.stopped,
             "files": list(files),
         },
     }
@@ -114,33 +116,52 @@ def _forces(acting: kp.Forces) -> dict[str, Any]:
     return forces
 
 
-def _plane(found: Findings) -> dict[str, Any]:
-    course = found.record.course
-    there = len(course.times) > 1
-    mean = course.mean_rate if there else math.nan
+def _plane(seen: RealSummary) -> dict[str, Any]:
+    apsides = seen.apsides
+    there = len(apsides.times) > 1 and seen.revolutions is None
+    mean = apsides.mean_rate if there else math.nan
+    end = apsides.rate_at_the_end if there else math.nan
+    since = apsides.stands_since if there else None
     return {
-        "ideal_rad_per_s": found.ideal,
-        "ideal_deg_per_h": _hourly(found.ideal),
-        "ideal_turn_s": found.turn,
+        "ideal_rad_per_s": seen.foucault_rate,
+        "ideal_deg_per_h": _hourly(seen.foucault_rate),
+        "ideal_turn_s": seen.foucault_turn,
+        "stands_since_s": since,
+        "stands_at_rad": None if since is None else float(apsides.azimuth[-1]),
+        "at_the_end_rad_per_s": end,
+        "at_the_end_deg_per_h": _hourly(end),
         "mean_rad_per_s": mean,
         "mean_deg_per_h": _hourly(mean),
-        "mean_less_ideal_deg_per_h": _hourly(mean - found.ideal),
-        "first_azimuth_rad": float(course.azimuth[0]) if there else math.nan,
-        "last_azimuth_rad": float(course.azimuth[-1]) if there else math.nan,
-        "first_turning_point_s": float(course.times[0]) if there else math.nan,
-        "last_turning_point_s": float(course.times[-1]) if there else math.nan,
+        "mean_less_ideal_deg_per_h": _hourly(mean - seen.foucault_rate),
+        "first_azimuth_rad": float(apsides.azimuth[0]) if there else math.nan,
+        "last_azimuth_rad": float(apsides.azimuth[-1]) if there else math.nan,
+        "first_turning_point_s": float(apsides.times[0]) if there else math.nan,
+        "last_turning_point_s": float(apsides.times[-1]) if there else math.nan,
     }
 
 
-def _swing(found: Findings) -> dict[str, Any]:
-    course = found.record.course
-    there = len(course.times) > 0
+def _revolutions(seen: RealSummary) -> dict[str, Any] | None:
+    """Of a circle, which has no plane; None for a swing."""
+    round_ = seen.revolutions
+    if round_ is None:
+        return None
     return {
-        "first_a_m": float(course.a[0]) if there else math.nan,
-        "last_a_m": float(course.a[-1]) if there else math.nan,
-        "first_b_m": float(course.b[0]) if there else math.nan,
-        "last_b_m": float(course.b[-1]) if there else math.nan,
-        "largest_b_m": course.widest,
+        "sense": "counter-clockwise" if round_.sense > 0 else "clockwise",
+        "period_s": round_.period,
+        "last_period_s": round_.last_period,
+        "period_in_the_other_sense_s": round_.other_period,
+    }
+
+
+def _swing(seen: RealSummary) -> dict[str, Any]:
+    apsides = seen.apsides
+    there = len(apsides.times) > 0
+    return {
+        "first_a_m": float(apsides.a[0]) if there else math.nan,
+        "last_a_m": float(apsides.a[-1]) if there else math.nan,
+        "first_b_m": float(apsides.b[0]) if there else math.nan,
+        "last_b_m": float(apsides.b[-1]) if there else math.nan,
+        "largest_b_m": apsides.widest,
     }
 
 

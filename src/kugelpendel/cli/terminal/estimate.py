@@ -48,7 +48,7 @@ class Estimate:
             print(f"kugelpendel: {sentence}", file=sys.stderr)
 
 
-class Wish:
+class StopRequest:
     """Whether the user has asked to stop: by Ctrl-C, or by the signal that ends a program.
 
     Within the block the first such signal only sets ``stop``, so that nothing is torn apart in the
@@ -59,7 +59,7 @@ class Wish:
         self.stop = False
         self._before: dict[int, Any] = {}
 
-    def __enter__(self) -> Wish:
+    def __enter__(self) -> StopRequest:
         try:
             for number in _SIGNALS:
                 self._before[number] = signal.signal(number, self._ask)

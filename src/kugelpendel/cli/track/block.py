@@ -11,7 +11,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from kugelpendel import ExactMotion
-    from kugelpendel.cli.run.passes import Passes
 
 COLUMNS = {
     "time": "s",
@@ -47,7 +46,7 @@ class Block:
     tension: NDArray[np.float64]
 
     @classmethod
-    def of(cls, motion: ExactMotion | Passes, first: int, time: NDArray[np.float64]) -> Block:
+    def of(cls, motion: ExactMotion, first: int, time: NDArray[np.float64]) -> Block:
         """Ask one motion about some times."""
         return cls(first, time, motion.position(time), motion.velocity(time), motion.tension(time))
 
