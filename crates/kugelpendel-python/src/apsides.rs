@@ -10,10 +10,10 @@ use std::sync::Mutex;
 
 /// What is noted at the outer turning points.
 #[pyclass(frozen, module = "kugelpendel._core")]
-pub(crate) struct ApsidesTrack(Mutex<kugelpendel::ApsidesTrack>);
+pub(crate) struct ApsidesTracker(Mutex<kugelpendel::ApsidesTrack>);
 
 #[pymethods]
-impl ApsidesTrack {
+impl ApsidesTracker {
     /// Length, gravity and mass of the pendulum, and the rate at which the ground turns about the vertical.
     #[new]
     fn new(pendulum: [f64; 3], rotation: f64) -> Self {

@@ -32,7 +32,7 @@ mod _core {
     #[pymodule_export]
     use super::steps_taken;
     #[pymodule_export]
-    use crate::apsides::{ApsidesTrack, plane_rates};
+    use crate::apsides::{ApsidesTracker, plane_rates};
     #[pymodule_export]
     use crate::builder::{
         PyDecay, budget_at_start, critical_amplitude, critical_anisotropy, critical_damping, passage_time,
@@ -54,7 +54,7 @@ mod _core {
         osculating_ellipses, reach, relative_error, thread_pull, unwrapped,
     };
     #[pymodule_export]
-    use crate::portrait::Portrait;
+    use crate::portrait::Portraits;
     #[pymodule_export]
     use crate::real::RealMotions;
 }

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 
 /// One size of swing.
 #[pyclass(frozen, module = "kugelpendel._core")]
-pub(crate) struct Portrait(kugelpendel::Portrait);
+pub(crate) struct Portraits(kugelpendel::Portrait);
 
 /// (invariant, limits, verdict, period, rate, slowest, fastest, azimuths), as the core has them.
 type OrbitRow = (f64, [f64; 2], &'static str, f64, f64, f64, f64, [f64; 2]);
@@ -23,7 +23,7 @@ pub(crate) fn word(verdict: Verdict) -> &'static str {
 }
 
 #[pymethods]
-impl Portrait {
+impl Portraits {
     /// Ω_z, δ (the true difference of the frequencies), χ, μ; rad/s and rad.
     #[new]
     fn new(rotation: f64, anisotropy: f64, axis: f64, intrinsic: f64) -> Self {
@@ -103,7 +103,7 @@ impl Portrait {
     }
 }
 
-impl Portrait {
+impl Portraits {
     fn each<'py>(
         &self,
         py: Python<'py>,

@@ -21,6 +21,7 @@ mod given;
 mod meaning;
 mod numbers;
 mod paper;
+mod plane;
 mod real;
 mod sampling;
 mod taylor;
@@ -34,25 +35,25 @@ pub use exact::motion::ExactMotion;
 pub use given::*;
 pub use meaning::apsides::{ApsidesTrack, Apsis, STANDSTILL, mean_rate, rate_at_the_end, stands_since};
 pub use meaning::azimuth::{nearest, unwrap, unwrap_at};
-pub use meaning::budget::{ALIKE, Cause, Pace, PrecessionBudget, STALL, Stretch, stretches};
 pub use meaning::compare::{EllipseRates, SWINGS, distances, reach, relative_error};
-pub use meaning::decay::Decay;
 pub use meaning::ellipse::Ellipse;
 pub use meaning::events::events_on_a_grid;
-pub use meaning::half_turn::{HalfTurn, critical_damping, under_damping};
 pub use meaning::measured::{MeasuredRates, PlanState, measured_rates};
 pub use meaning::olsson;
-pub use meaning::portrait::{
-    EllipseForm, Equilibrium, Orbit, Portrait, Verdict, critical_amplitude, critical_anisotropy, intrinsic,
-};
-pub use meaning::push;
 pub use meaning::regime::Regime;
-pub use meaning::settled::{Settled, settle};
 pub use meaning::summary::IdealSummary;
 pub use numbers::arithmetic::fused;
 pub use paper::equations::Equation;
 pub use paper::harmonic::{HarmonicLaw, HarmonicMotion, MAX_POWER, Powers};
 pub use paper::integrated::IntegratedMotion;
+pub use plane::budget::{ALIKE, Cause, Pace, PrecessionBudget, STALL, Stretch, stretches};
+pub use plane::decay::Decay;
+pub use plane::half_turn::{HalfTurn, critical_damping, under_damping};
+pub use plane::portrait::{
+    EllipseForm, Equilibrium, Orbit, Portrait, Verdict, critical_amplitude, critical_anisotropy, intrinsic,
+};
+pub use plane::push;
+pub use plane::settled::{Settled, settle};
 pub use real::motion::RealMotion;
 #[cfg(feature = "threads")]
 pub use sampling::threads::in_parallel;

@@ -160,7 +160,7 @@ class Portrait:
         return cls(motion.pendulum, float(a), float(b), axis, motion.forces)
 
     @cached_property
-    def _core(self) -> _core.Portrait:
+    def _core(self) -> _core.Portraits:
         effective = self.forces.effective_pendulum(self.pendulum)
         pendulum = [float(value) for value in effective.values]
         site, suspension = self.forces.site, self.forces.suspension
@@ -168,7 +168,7 @@ class Portrait:
         clamp = (0.0, 0.0)
         if suspension is not None:
             clamp = (float(suspension.anisotropy), float(suspension.axis))
-        return _core.Portrait.of(pendulum, rotation, clamp, (self.a, self.b))
+        return _core.Portraits.of(pendulum, rotation, clamp, (self.a, self.b))
 
     @property
     def axis(self) -> float:
@@ -182,7 +182,7 @@ class Portrait:
         row = self._core.orbit(circularity, longitude)
         _, (low, high), verdict, period, rate, slowest, fastest, (left, right) = row
         size = math.hypot(self.a, self.b)
-        widest = size * abs(_core.Portrait.semi_axes(max(-low, high))[1])
+        widest = size * abs(_core.Portraits.semi_axes(max(-low, high))[1])
         return Orbit(
             circularity, longitude, (low, high), verdict, period, rate, slowest, fastest,
             (left, right), widest,

@@ -111,7 +111,7 @@ class Follower:
         self._walk = motion.walk()
         self._rotation = float(site.vertical_rotation) if site is not None else 0.0
         values = [float(value) for value in point.values]
-        self._track = _core.ApsidesTrack(values, self._rotation)
+        self._track = _core.ApsidesTracker(values, self._rotation)
         x, y, _ = motion.position(0.0)
         vx, vy, _ = motion.velocity(0.0)
         # The ray that is passed once in each revolution: that of the launch or, from the axis, the

@@ -73,7 +73,7 @@ impl Speeds {
 
     /// Of small swings with these circular amplitudes.
     pub(super) fn of_small(p: f64, q: f64) -> Self {
-        let Harmonic { mean, weighted } = Harmonic::of(p, q);
+        let DragAverage { mean, weighted } = DragAverage::of(p, q);
         Self { mean, covariance: 0.5 * weighted }
     }
 }
@@ -89,7 +89,7 @@ struct Thin {
 impl Thin {
     fn new(kappa: f64, mu: f64) -> Self {
         let (sum, difference) = ((1.0 + kappa).sqrt(), (1.0 - kappa).sqrt());
-        let Harmonic { mean, weighted } = Harmonic::of(0.5 * (sum + difference), 0.5 * (sum - difference));
+        let DragAverage { mean, weighted } = DragAverage::of(0.5 * (sum + difference), 0.5 * (sum - difference));
         let mut moments = [mean, mean + 0.5 * kappa * kappa * weighted, 0.0, 0.0];
         for n in 1..3 {
             let order = n as f64 + 0.5;
@@ -109,14 +109,14 @@ impl Thin {
 /// With A the larger of p, q and k the smaller over it, ⟨σ⟩ = (2A/π)(2E(k) − (1 − k²)K(k)) and
 /// ⟨sin² 2Θ/σ⟩ = (2/3πAk²)(2k²K − (1 + k²)(K − E)); K − E from the mean's own sums (DLMF 19.8).
 #[derive(Clone, Copy, Debug)]
-struct Harmonic {
+struct DragAverage {
     /// ⟨σ⟩.
     mean: f64,
     /// ⟨sin² 2Θ/σ⟩.
     weighted: f64,
 }
 
-impl Harmonic {
+impl DragAverage {
     fn of(p: f64, q: f64) -> Self {
         let (larger, smaller) = (p.max(q), p.min(q));
         if larger == 0.0 {
@@ -149,7 +149,7 @@ pub(super) struct Wind(pub(super) [f64; 2]);
 
 impl Wind {
     pub(super) fn of(p: f64, q: f64) -> Self {
-        let Harmonic { mean, weighted } = Harmonic::of(p, q);
+        let DragAverage { mean, weighted } = DragAverage::of(p, q);
         Self([q, p].map(|other| 0.5 * (mean - other * other * weighted)))
     }
 }

@@ -1,5 +1,8 @@
 //! Real zeros of short polynomials, and their values.
 
+use crate::numbers::arithmetic::Portable;
+use crate::numbers::roots::zero_between;
+
 /// The highest power is below this one.
 const MOST: usize = 6;
 
@@ -11,7 +14,7 @@ pub(crate) fn value(coefficients: &[f64], x: f64) -> f64 {
 /// Where the polynomial changes its sign between `low` and `high`, in ascending order.
 ///
 /// Between the zeros of its derivative a polynomial is monotone, so each stretch between two of these holds at most one
-/// zero, and Newton's method with bisection as its guard finds it. A zero that is touched and not crossed is none here.
+/// zero. A zero that is touched and not crossed is none here.
 pub(crate) fn zeros(coefficients: &[f64], low: f64, high: f64) -> Vec<f64> {
     let highest = coefficients.iter().rposition(|coefficient| *coefficient != 0.0).unwrap_or(0);
     debug_assert!(highest < MOST, "a polynomial of degree {highest} is too long for this");
@@ -25,7 +28,7 @@ pub(crate) fn zeros(coefficients: &[f64], low: f64, high: f64) -> Vec<f64> {
     edges.push(high);
     let mut found: Vec<f64> = Vec::new();
     for pair in edges.windows(2) {
-        if let Some(zero) = between(coefficients, &slope, pair[0], pair[1])
+        if let Some(zero) = between(coefficients, pair[0], pair[1])
             && found.last() != Some(&zero)
         {
             found.push(zero);
@@ -34,39 +37,19 @@ pub(crate) fn zeros(coefficients: &[f64], low: f64, high: f64) -> Vec<f64> {
     found
 }
 
-fn between(coefficients: &[f64], slope: &[f64], low: f64, high: f64) -> Option<f64> {
-    let (first, last) = (value(coefficients, low), value(coefficients, high));
-    if first == 0.0 {
-        return Some(low);
-    }
-    if last == 0.0 {
-        return Some(high);
-    }
-    // A NaN has no sign.
-    if first.is_nan() || last.is_nan() || (first < 0.0) == (last < 0.0) {
-        return None;
-    }
-    let (mut below, mut above) = if first < 0.0 { (low, high) } else { (high, low) };
-    let mut x = 0.5 * (low + high);
-    for _ in 0..100 {
-        let here = value(coefficients, x);
-        if here == 0.0 {
-            return Some(x);
+fn between(coefficients: &[f64], low: f64, high: f64) -> Option<f64> {
+    let polynomial = |x: f64| value(coefficients, x);
+    let values = [low, high].map(polynomial);
+    match values {
+        [0.0, _] => Some(low),
+        [_, 0.0] => Some(high),
+        // A NaN has no sign.
+        [first, last] if first.is_nan() || last.is_nan() || (first < 0.0) == (last < 0.0) => None,
+        [first, _] => {
+            let sign = if first < 0.0 { 1.0 } else { -1.0 };
+            Some(zero_between::<Portable>(&polynomial, sign, [low, high], values.map(|value| sign * value)))
         }
-        if here < 0.0 {
-            below = x
-        } else {
-            above = x
-        }
-        let newton = x - here / value(slope, x);
-        let inside = newton > below.min(above) && newton < below.max(above);
-        let next = if inside { newton } else { 0.5 * (below + above) };
-        if next == x || (next - x).abs() <= f64::EPSILON * x.abs() {
-            return Some(next);
-        }
-        x = next;
     }
-    Some(x)
 }
 
 #[cfg(test)]

@@ -78,11 +78,11 @@ impl SphereField {
     #[inline(always)]
     pub(crate) fn continue_series<A: Arithmetic>(&self, taut: bool, series: &mut Series) {
         match (self.forced, self.quadratic != 0.0, taut) {
-            (false, false, true) => VectorField::<A>::continue_series(&Acting::<false, false, true>(self), series),
-            (true, false, true) => VectorField::<A>::continue_series(&Acting::<true, false, true>(self), series),
-            (_, true, true) => VectorField::<A>::continue_series(&Acting::<true, true, true>(self), series),
-            (_, false, false) => VectorField::<A>::continue_series(&Acting::<true, false, false>(self), series),
-            (_, true, false) => VectorField::<A>::continue_series(&Acting::<true, true, false>(self), series),
+            (false, false, true) => VectorField::<A>::continue_series(&ActingField::<false, false, true>(self), series),
+            (true, false, true) => VectorField::<A>::continue_series(&ActingField::<true, false, true>(self), series),
+            (_, true, true) => VectorField::<A>::continue_series(&ActingField::<true, true, true>(self), series),
+            (_, false, false) => VectorField::<A>::continue_series(&ActingField::<true, false, false>(self), series),
+            (_, true, false) => VectorField::<A>::continue_series(&ActingField::<true, true, false>(self), series),
         }
     }
 
@@ -116,16 +116,16 @@ impl SphereField {
 }
 
 /// The forces, with what acts and whether the thread holds known to the compiler.
-struct Acting<'a, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool>(&'a SphereField);
+struct ActingField<'a, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool>(&'a SphereField);
 
 impl<A: Arithmetic, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool> VectorField<A>
-    for Acting<'_, FORCED, QUADRATIC, TAUT>
+    for ActingField<'_, FORCED, QUADRATIC, TAUT>
 {
     type Terms = SphereTerms;
 
     #[inline(always)]
     fn next_order<const K: usize>(&self, series: &mut Series, terms: &mut SphereTerms) {
-        let Acting(field) = self;
+        let ActingField(field) = self;
         let Series { position, velocity, guard, speed_squared } = series;
         let mut force = velocity[K].map(|v| -field.damping * v);
         if FORCED {

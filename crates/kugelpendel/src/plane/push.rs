@@ -6,7 +6,7 @@
 //! The method is that of R. A. Schumacher and B. Tarbet, arXiv:0902.1829 (2009).
 
 use crate::given::pendulum::Pendulum;
-use crate::meaning::decay::Decay;
+use crate::plane::decay::Decay;
 use std::f64::consts::PI;
 
 /// The phase in rad, from 0 to π/4, at which the push that holds the amplitude `a` in m cancels the intrinsic precession.
@@ -29,7 +29,7 @@ pub fn final_amplitude(decay: &Decay, push: f64, phase: f64) -> f64 {
 mod tests {
     use super::{best_phase, final_amplitude, holding};
     use crate::given::pendulum::Pendulum;
-    use crate::meaning::decay::Decay;
+    use crate::plane::decay::Decay;
 
     #[test]
     fn the_push_that_holds_an_amplitude_leads_to_it() {

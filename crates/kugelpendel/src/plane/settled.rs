@@ -1,9 +1,9 @@
 //! What the plane of a real swing comes to, with all that acts on it: the averaged motion, run until it shows.
 
 use crate::envelope::{Envelope, EnvelopeMotion, EnvelopeWalks};
-use crate::meaning::budget::STALL;
-use crate::meaning::decay::Decay;
-use crate::meaning::portrait::Verdict;
+use crate::plane::budget::STALL;
+use crate::plane::decay::Decay;
+use crate::plane::portrait::Verdict;
 use std::f64::consts::{PI, TAU};
 
 /// A driven swing is looked at after so many times the decay time of its amplitude.

@@ -1,7 +1,7 @@
 //! The turning of a straight swing through all azimuths under damping that depends on the direction.
 //!
 //! ψ' = −Ω_z + (Δγ/2) sin 2(ψ−χd) where b = 0, whatever the amplitude; b = 0 stays. What uneven stiffness does is in
-//! [`crate::meaning::portrait`].
+//! [`crate::plane::portrait`].
 
 use std::f64::consts::PI;
 
