@@ -64,12 +64,12 @@ class Case:
 
     @property
     def site(self) -> Site | None:
-        """Where it hangs."""
+        """The site where it hangs."""
         return self.forces.site
 
     @property
     def drag(self) -> Drag | None:
-        """Of the air."""
+        """The drag of the air."""
         return self.forces.drag
 
     @property
@@ -84,7 +84,7 @@ class Case:
 
     @property
     def drive(self) -> Drive | None:
-        """What is there now."""
+        """The drive that is there now."""
         return self.forces.drive
 
     @property

@@ -26,11 +26,11 @@ class Passages:
 
     Attributes
     ----------
-    times : (n,) array
+    times
         s, ascending.
-    position, velocity : (n, 3) arrays
+    position, velocity
         m from the support, z down; m/s.
-    tension : (n,) array
+    tension
         Pull of the thread, N.
     """
 
@@ -47,19 +47,19 @@ class Leg:
 
     Attributes
     ----------
-    start, until : float
+    start, until
         s: from when to when the walk has gone. Events at `start` belong to the leg before, except
         for the first leg of a walk.
-    times : (n,) array
+    times
         s: those of the times asked for that were reached, the first n of them.
-    position, velocity : (n, 3) arrays
+    position, velocity
         m from the support, z down; m/s.
-    tension : (n,) array
+    tension
         Pull of the thread, N.
-    events : mapping
+    events
         `Passages` for each event that was asked for, under what it was asked by: ``"outer"`` or
         ``("azimuth", 0.7)``.
-    ending : str
+    ending
         Why the motion ends at `until`: "slack" (the pull of the thread reaches zero), "level" (the
         bob comes to the height of the support), "runaway" (the speed grows beyond all bounds), or
         "" where it goes on.

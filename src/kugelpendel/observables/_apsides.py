@@ -18,15 +18,15 @@ class Apsides:
 
     Attributes
     ----------
-    times : (n,) array
+    times
         s.
-    a, b : (n,) arrays
+    a, b
         Semi-axes, m; b signed, positive counter-clockwise seen from above.
-    azimuth : (n,) array
+    azimuth
         Of the major axis, rad, continuous, counter-clockwise seen from above.
-    foucault_rate : float
+    foucault_rate
         −Ω_E sin(latitude), rad/s: the rate that Foucault meant; 0 without a site.
-    widest : float
+    widest
         Largest |b| of all swings, m, those between the times included.
     """
 

@@ -36,13 +36,13 @@ class Revolutions:
 
     Attributes
     ----------
-    sense : int
+    sense
         1 for counter-clockwise seen from above, −1 for clockwise.
-    period : float
+    period
         Time of one revolution, s: mean of the first ones, at most 100.
-    last_period : float
+    last_period
         Time of the last revolution, s.
-    other_period : float
+    other_period
         Mean of as many revolutions of the same launch with its velocity reversed, s.
     """
 
@@ -58,20 +58,20 @@ class RealSummary:
 
     Attributes
     ----------
-    apsides : Apsides
+    apsides
         The swing at its outer turning points.
-    swing_periods : tuple of float
+    swing_periods
         Of the first swing and of the last, there and back, s; NaN where there is none.
-    tension : tuple of float
+    tension
         Smallest and largest pull of the thread, N: at the launch, at all turning points and at the
         times that were asked for.
-    until : float
+    until
         How far the motion was followed, s.
-    slack_time : float
+    slack_time
         When the thread went slack, which ended the motion, s; inf where it did not.
-    point_period, small_period : float
+    point_period, small_period
         Of small swings, s: of a point on a thread without weight, and with the bob's correction.
-    revolutions : Revolutions or None
+    revolutions
         For a circle, which has no plane; None for a swing.
     """
 
@@ -147,7 +147,7 @@ class Follower:
         return leg
 
     def summary(self) -> RealSummary:
-        """What was noted so far."""
+        """The summary of what was noted so far."""
         motion = self._motion
         widest, flattest, first, last = self._track.extremes()
         times, a, b, azimuth = (
@@ -194,14 +194,14 @@ class Explanation:
 
     Attributes
     ----------
-    shares : PrecessionBudget or None
+    shares
         The rate of the plane by its causes; None where the average does not hold, as ``why_not``
         says.
-    why_not : str
+    why_not
         Empty where there are shares.
-    apart : float
+    apart
         Azimuth of the plane at the end, full equations less averaged ones, rad; NaN without.
-    caution : str
+    caution
         What the averaged equations say about themselves; empty for nothing.
     """
 

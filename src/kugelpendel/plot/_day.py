@@ -45,13 +45,13 @@ def day(
 
     Parameters
     ----------
-    motion : RealMotion or EnvelopeMotion
+    motion
         One motion, not an ensemble; asked for a few swings.
-    apsides : Apsides
+    apsides
         What was measured.
-    shares : PrecessionBudget or None
+    shares
         What turned the plane, by the averaged equations; None where they do not hold.
-    title : str
+    title
         Above the figure.
 
     Returns

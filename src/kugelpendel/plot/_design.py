@@ -40,9 +40,9 @@ def design(found: Design, title: str = "") -> Figure:
 
     Parameters
     ----------
-    found : Design
+    found
         From `kugelpendel.design`.
-    title : str
+    title
         Above the figure.
 
     Returns

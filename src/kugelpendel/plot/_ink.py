@@ -90,7 +90,7 @@ class Timeline:
 
     Parameters
     ----------
-    until : float
+    until
         Last time, s.
     """
 
@@ -103,9 +103,9 @@ class Timeline:
 
         Parameters
         ----------
-        axes : Axes
+        axes
             Where to draw.
-        pieces : list of (n, 3) arrays
+        pieces
             Time in s, and the point in the units of the axes.
         """
         segments = sum(len(piece) - 1 for piece in pieces)

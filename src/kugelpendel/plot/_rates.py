@@ -46,11 +46,11 @@ def draw_rates(axes: Axes, shares: PrecessionBudget | None, clock: Unit) -> None
 
     Parameters
     ----------
-    axes : Axes
+    axes
         Where to draw; its time axis is in units of ``clock``.
-    shares : PrecessionBudget or None
+    shares
         None where the averaged equations do not hold.
-    clock : Unit
+    clock
         Of the time axis.
     """
     if shares is None:

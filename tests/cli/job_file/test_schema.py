@@ -55,7 +55,7 @@ def test_sections_are_consistent(name: str) -> None:
         assert set(way.keys) <= set(keys)
     if section.ways:
         kinds = section.key("kind").holds
-        assert isinstance(kinds, schema.Words)
+        assert isinstance(kinds, schema.Choice)
         assert [way.word for way in section.ways] == list(kinds.choices)
         assert {key for way in section.ways for key in way.keys} == set(keys) - {"kind"}
 
@@ -69,7 +69,7 @@ def test_what_is_shown_to_paste_can_be_read(name: str) -> None:
         elif isinstance(key.holds, schema.Vector):
             assert len(value) == 3
             read_quantity(value[0], key.holds.kind, key.name)
-        elif isinstance(key.holds, schema.Words):
+        elif isinstance(key.holds, schema.Choice):
             assert value in key.holds.choices
         else:
             assert isinstance(value, bool) == isinstance(key.holds, schema.Truth)

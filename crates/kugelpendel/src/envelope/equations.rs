@@ -13,6 +13,7 @@
 //! In the singular a, b, ψ of small swings the same equations are in docs/conventions.md; drag is that of air which turns
 //! with the ground.
 
+use super::circles::{Circles, NUMBERS, SlowState};
 use super::closed_form::ClosedForm;
 use super::drag::{Speeds, Wind};
 use super::push::Push;
@@ -22,10 +23,6 @@ use crate::given::forces::Forces;
 use crate::numbers::dual::Dual;
 use num_complex::Complex64;
 use std::f64::consts::PI;
-
-/// C₊, C₋, Φ less ω0t, Ψ, Γ.
-pub(super) type SlowState = [f64; NUMBERS];
-pub(super) const NUMBERS: usize = 7;
 
 /// How many shares the plane's rate has; see [`AveragedEquations::shares`].
 pub(super) const CAUSES: usize = 5;
@@ -52,48 +49,6 @@ pub(super) struct AveragedEquations {
     drive: Drive,
     /// By how much more or less than in the closed form the ellipse turns by itself.
     pub(super) intrinsic: f64,
-}
-
-/// A± without the fast phase, by their sizes and directions.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Circles {
-    pub(super) p: f64,
-    pub(super) q: f64,
-    ahead: Complex64,
-    behind: Complex64,
-}
-
-impl Circles {
-    pub(super) fn of(state: &SlowState) -> Self {
-        let [x, y, u, v, _, turned, faded] = *state;
-        let (first, second, scale) = ((x * x + y * y).sqrt(), (u * u + v * v).sqrt(), (-faded).exp());
-        let common = Complex64::cis(turned);
-        let unit = |size: f64, re: f64, im: f64| {
-            if size > 0.0 { common * Complex64::new(re / size, im / size) } else { Complex64::ONE }
-        };
-        Self { p: scale * first, q: scale * second, ahead: unit(first, x, y), behind: unit(second, u, v) }
-    }
-
-    pub(super) fn amplitudes(&self) -> [Complex64; 2] {
-        [self.p * self.ahead, self.q * self.behind]
-    }
-
-    /// By which angles the directions differ from others.
-    pub(super) fn turned_from(&self, others: &Self) -> [f64; 2] {
-        [(self.ahead * others.ahead.conj()).arg(), (self.behind * others.behind.conj()).arg()]
-    }
-
-    pub(super) fn actions(&self) -> [f64; 2] {
-        [self.p * self.p, self.q * self.q]
-    }
-}
-
-impl From<[Complex64; 2]> for Circles {
-    fn from([ahead, behind]: [Complex64; 2]) -> Self {
-        let unit = |value: Complex64, size: f64| if size > 0.0 { value / size } else { Complex64::ONE };
-        let (p, q) = (ahead.norm(), behind.norm());
-        Self { p, q, ahead: unit(ahead, p), behind: unit(behind, q) }
-    }
 }
 
 /// What everything but the swing itself and the drive does.

@@ -4,7 +4,8 @@
 //! first-order offset of the mean actions, which the intrinsic precession turns into an angle that grows with time. The
 //! coefficients are bounds of what docs/averaging.py measures against the full equations.
 
-use super::equations::{AveragedEquations, CAUSES, Circles};
+use super::circles::Circles;
+use super::equations::{AveragedEquations, CAUSES};
 use super::{Envelope, EnvelopeMotion, EnvelopeWalks};
 use crate::given::forces::Thread;
 use crate::given::times::Quantity;

@@ -2,7 +2,8 @@
 //!
 //! Source: see [`super::tableau`].
 
-use super::equations::{AveragedEquations, NUMBERS, SlowState};
+use super::circles::{NUMBERS, SlowState};
+use super::equations::AveragedEquations;
 use super::tableau::{ALL, DENSE, ERROR, STAGE, STAGES};
 
 /// Of a step: against the larger of C±, for Ψ in rad and for Γ; and for the phase in rad.

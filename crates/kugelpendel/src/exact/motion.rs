@@ -107,7 +107,7 @@ impl ExactMotion {
         verdicts.into_iter().map(|verdict| verdict.map(|()| motions.next().unwrap_or(Self::UNSOLVED))).collect()
     }
 
-    /// What swings.
+    /// The pendulum that swings.
     pub fn pendulum(&self) -> &Pendulum {
         &self.pendulum
     }

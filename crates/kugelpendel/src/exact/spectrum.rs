@@ -23,7 +23,7 @@ use std::f64::consts::{PI, TAU};
 pub struct Harmonic {
     /// Multiple of ω in the turning frame, signed.
     pub order: i32,
-    /// rad/s.
+    /// The frequency, rad/s.
     pub frequency: f64,
     /// (real, imaginary) part, m.
     pub amplitude: [f64; 2],

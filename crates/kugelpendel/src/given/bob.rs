@@ -6,13 +6,13 @@ use std::f64::consts::PI;
 /// A homogeneous ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bob {
-    /// m.
+    /// The radius, m.
     pub radius: f64,
-    /// kg/m³.
+    /// The density, kg/m³.
     pub density: f64,
     /// Of a thread that is the same all along its length, kg.
     pub thread_mass: f64,
-    /// kg/m³.
+    /// The air density, kg/m³.
     pub air_density: f64,
 }
 

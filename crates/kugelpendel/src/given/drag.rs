@@ -17,13 +17,13 @@ pub struct Drag {
 /// A ball and its thread in still air, for an estimate of the drag.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StillAir {
-    /// η, Pa·s.
+    /// The viscosity, η, Pa·s.
     pub viscosity: f64,
-    /// Of the ball.
+    /// The drag coefficient of the ball.
     pub drag_coefficient: f64,
-    /// m; 0 leaves the thread out.
+    /// The thread diameter, m; 0 leaves the thread out.
     pub thread_diameter: f64,
-    /// Of a cylinder across the wind.
+    /// The drag coefficient of a cylinder across the wind.
     pub thread_drag_coefficient: f64,
 }
 

@@ -26,7 +26,7 @@ pub struct Forces {
     pub axis: f64,
     /// Δγ, 1/s: by how much amplitudes fade faster along `damping_axis` than across it.
     pub damping_anisotropy: f64,
-    /// rad.
+    /// The damping axis, rad.
     pub damping_axis: f64,
 }
 
@@ -65,11 +65,11 @@ pub enum Thread {
 pub struct Acting {
     /// For the rotation of the ground.
     pub site: Option<Site>,
-    /// Of the air.
+    /// The drag of the air.
     pub drag: Option<Drag>,
-    /// Where it is not perfect.
+    /// The suspension, where it is not perfect.
     pub suspension: Option<Suspension>,
-    /// Where it is not a point.
+    /// The bob, where it is not a point.
     pub bob: Option<Bob>,
     /// A push in every half swing.
     pub drive: Drive,

@@ -7,7 +7,7 @@ use std::fmt;
 pub struct Seen {
     /// What it is of, such as "drag.linear".
     pub name: &'static str,
-    /// In its unit.
+    /// The number, in its unit.
     pub value: f64,
     /// SI, as in "m/s²"; "" for what has none.
     pub unit: &'static str,

@@ -7,11 +7,11 @@ use crate::numbers::double_double::Dd;
 /// Its length, where it hangs, and what hangs on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pendulum {
-    /// m, from the support to the bob's centre.
+    /// The length, m, from the support to the bob's centre.
     pub length: f64,
-    /// m/s².
+    /// The gravity, m/s².
     pub gravity: f64,
-    /// kg; scales the tension and nothing else.
+    /// The mass, kg; scales the tension and nothing else.
     pub mass: f64,
 }
 

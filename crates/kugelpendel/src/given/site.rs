@@ -18,7 +18,7 @@ const CENTRIFUGAL: f64 = 0.00344978650684; // ω²a²b/GM
 /// To which TR8350.2 gives the expansion in the height, m.
 const HIGHEST: f64 = 20e3;
 
-/// Where a pendulum stands.
+/// The place on the Earth where a pendulum stands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Site {
     /// Geodetic, rad, positive in the north.

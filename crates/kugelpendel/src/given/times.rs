@@ -12,7 +12,7 @@ pub enum Quantity {
     Velocity,
 }
 
-/// When.
+/// The times at which a motion is asked.
 #[derive(Clone, Copy, Debug)]
 pub enum Times<'a> {
     /// Any times, s.

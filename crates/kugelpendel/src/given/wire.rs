@@ -6,7 +6,7 @@ use std::f64::consts::FRAC_PI_4;
 /// A round wire.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wire {
-    /// m.
+    /// The diameter, m.
     pub diameter: f64,
     /// Young's modulus, Pa.
     pub young: f64,

@@ -12,7 +12,7 @@ const KEPT: usize = 4096;
 /// The ellipse at an outer turning point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Apsis {
-    /// s.
+    /// The time, s.
     pub time: f64,
     /// The outer turning radius, m.
     pub a: f64,

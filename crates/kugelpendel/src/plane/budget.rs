@@ -74,7 +74,7 @@ pub struct PrecessionBudget(
 /// A time in which the plane keeps one pace.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stretch {
-    /// Which.
+    /// The pace that it keeps.
     pub pace: Pace,
     /// When it begins, s.
     pub start: f64,

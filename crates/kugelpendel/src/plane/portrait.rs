@@ -73,9 +73,9 @@ pub struct Orbit {
     pub period: f64,
     /// Mean rate of the plane, rad/s; 0 where it swings to and fro.
     pub rate: f64,
-    /// The rate of the plane where it is least and where it is largest in the sense of the Earth's, rad/s.
+    /// The rate of the plane where it is least in the sense of the Earth's, rad/s.
     pub slowest: f64,
-    /// As `slowest`.
+    /// The rate of the plane where it is largest in the sense of the Earth's, rad/s.
     pub fastest: f64,
     /// Azimuths between which a plane swings to and fro, rad; infinite for one that goes round.
     pub azimuths: [f64; 2],
@@ -84,7 +84,7 @@ pub struct Orbit {
 /// A shape that stays as it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Equilibrium {
-    /// Where it is.
+    /// The shape itself.
     pub form: EllipseForm,
     /// Whether neighbours stay near it; otherwise it is a saddle, through which the separatrix runs.
     pub stable: bool,
@@ -125,7 +125,7 @@ impl Portrait {
         0.5 * (self.intrinsic * u - clamp) - self.rotation
     }
 
-    /// Where a shape goes.
+    /// The orbit on which a shape moves.
     pub fn orbit(&self, start: EllipseForm) -> Orbit {
         let h = self.invariant(start);
         let u = start.circularity;

@@ -34,7 +34,7 @@ pub struct StateVector {
 /// The bob at an event.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Passage {
-    /// s since the launch.
+    /// The time since the launch, s.
     pub time: f64,
     /// Where the bob is then, and how fast.
     pub state: StateVector,
@@ -52,13 +52,13 @@ pub struct Readings<'a> {
     pub times: &'a [f64],
     /// x, y, z in m.
     pub position: &'a mut [f64],
-    /// m/s.
+    /// The velocity, m/s.
     pub velocity: &'a mut [f64],
-    /// N.
+    /// The tension, N.
     pub tension: &'a mut [f64],
     /// The events that are looked for.
     pub events: &'a [Event],
-    /// s, not before the launch: from when to when events are looked for, both ends included.
+    /// The between, s, not before the launch: from when to when events are looked for, both ends included.
     pub between: [f64; 2],
     /// The walk ends once it has found so many events; 0 where it need not go from the one time to the other.
     pub most: usize,

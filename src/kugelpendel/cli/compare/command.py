@@ -26,11 +26,11 @@ def compare(file: Path, folder: Path | None, as_json: bool) -> None:
 
     Parameters
     ----------
-    file : Path
+    file
         The job file.
-    folder : Path or None
+    folder
         Where the files go; ``out/`` and the name of the job, unless given.
-    as_json : bool
+    as_json
         Print the results as JSON in place of the table.
 
     Raises

@@ -28,13 +28,13 @@ def design(file: Path, folder: Path | None, as_json: bool, checked: bool) -> Non
 
     Parameters
     ----------
-    file : Path
+    file
         The file.
-    folder : Path or None
+    folder
         Where the files go; ``out/`` and the name of the file, unless given.
-    as_json : bool
+    as_json
         Print the results as JSON in place of the tables.
-    checked : bool
+    checked
         Whether the full equations are run beside the formulas.
 
     Raises

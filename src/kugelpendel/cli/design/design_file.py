@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import kugelpendel as kp
 from kugelpendel.cli.job_file import schema
-from kugelpendel.cli.job_file.document import Document, read_document
+from kugelpendel.cli.job_file.document import JobDocument, read_document
 from kugelpendel.cli.job_file.entries import Entries, take_apart
 from kugelpendel.cli.job_file.forces import read_forces
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 class Questions:
     """What a file asks, checked key by key, in SI."""
 
-    document: Document
+    document: JobDocument
     pendulum: kp.Pendulum
     has_mass: bool
     forces: kp.Forces

@@ -26,7 +26,7 @@ _LARGEST = 1 << 20  # bytes; a job has a few hundred
 
 
 @dataclass(frozen=True)
-class Document:
+class JobDocument:
     """A TOML file that was read.
 
     Attributes
@@ -61,7 +61,7 @@ class Document:
         return None
 
 
-def read_document(path: Path, schema: FileSchema) -> Document:
+def read_document(path: Path, schema: FileSchema) -> JobDocument:
     """Read a TOML file; that on standard input where the path is ``-``.
 
     Parameters
@@ -84,7 +84,7 @@ def read_document(path: Path, schema: FileSchema) -> Document:
         raise InvalidInput(f"{name} is not valid TOML: {_explained(error, text)}") from error
     if not tables:
         raise InvalidInput(f"{name} is empty. A job looks like this:\n\n{example(schema)}")
-    return Document(name, text, tables)
+    return JobDocument(name, text, tables)
 
 
 def line_of(text: str, section: str, key: str) -> int | None:

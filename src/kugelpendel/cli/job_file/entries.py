@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, cast
 from kugelpendel import InvalidInput
 from kugelpendel.cli.job_file.kinds import Kind
 from kugelpendel.cli.job_file.quantity import read_quantity, show
-from kugelpendel.cli.job_file.schema import Number, Vector, Words
+from kugelpendel.cli.job_file.schema import Choice, Number, Vector
 from kugelpendel.cli.job_file.schema_text import value_to_paste
 
 if TYPE_CHECKING:
@@ -148,7 +148,7 @@ class Entries:
     def word(self, key: str) -> str:
         """One of a few words."""
         declared = self.section.key(key)
-        assert isinstance(declared.holds, Words)
+        assert isinstance(declared.holds, Choice)
         words = declared.holds.choices
         value: object = self.values.get(key, declared.default)
         listed = ", ".join(f'"{word}"' for word in words)

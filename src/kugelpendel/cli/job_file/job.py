@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import kugelpendel as kp
 from kugelpendel.cli.job_file import schema
-from kugelpendel.cli.job_file.document import Document, read_document
+from kugelpendel.cli.job_file.document import JobDocument, read_document
 from kugelpendel.cli.job_file.entries import Entries, take_apart
 from kugelpendel.cli.job_file.forces import read_forces
 from kugelpendel.cli.job_file.sample_times import Grid, read_grid
@@ -26,7 +26,7 @@ LAUNCHES = {way.word: way.keys for way in schema.LAUNCH.ways}
 class Job:
     """What a job file asks for, checked, in SI; ``has_mass`` where a mass or a bob was given."""
 
-    document: Document
+    document: JobDocument
     pendulum: kp.Pendulum
     has_mass: bool
     forces: kp.Forces

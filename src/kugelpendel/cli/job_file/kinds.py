@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Kind:
-    """What a number measures.
+    """A kind of quantity.
 
     Attributes
     ----------

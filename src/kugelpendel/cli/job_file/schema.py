@@ -34,7 +34,7 @@ class Vector:
 
 
 @dataclass(frozen=True)
-class Words:
+class Choice:
     """One of a few words."""
 
     choices: tuple[str, ...]
@@ -75,7 +75,7 @@ class Key:
     """
 
     name: str
-    holds: Kind | Vector | Words | Number | Truth
+    holds: Kind | Vector | Choice | Number | Truth
     text: str = ""
     default: float | str | bool | None = None
     unless: str = ""
@@ -148,7 +148,7 @@ LAUNCH = Section(
     (
         Key(
             "kind",
-            Words(("ellipse", "apsides", "plane", "angles", "state", "at_rest")),
+            Choice(("ellipse", "apsides", "plane", "angles", "state", "at_rest")),
             "one of the following, each with its keys",
             needed=True,
         ),
@@ -195,7 +195,7 @@ OUTPUT = Section(
         Key("duration", TIME, "how long", needed=True),
         Key("step", TIME, "time between the rows of the track", example='"0.1 s"'),
         Key("samples", Number(1000), "how many rows"),
-        Key("format", Words(("csv", "netcdf", "parquet")), "of the track", default="csv"),
+        Key("format", Choice(("csv", "netcdf", "parquet")), "of the track", default="csv"),
         Key("figure", Truth(), "whether one is drawn", default=True),
     ),
     one_of=(("step",), ("samples",)),

@@ -6,7 +6,7 @@ import textwrap
 from typing import TYPE_CHECKING
 
 from kugelpendel.cli.job_file.kinds import Kind
-from kugelpendel.cli.job_file.schema import Key, Number, Section, Truth, Vector, Words
+from kugelpendel.cli.job_file.schema import Choice, Key, Number, Section, Truth, Vector
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -81,7 +81,7 @@ def value_to_paste(key: Key) -> str:
             return f'"{kind.example}"'
         case Vector(kind):
             return f'["{kind.example}", 0, 0]'
-        case Words(choices):
+        case Choice(choices):
             return f'"{choices[0]}"'
         case Number(number):
             return f"{number:g}"
@@ -105,7 +105,7 @@ def _meaning(section: Section, key: Key) -> str:
     first = section.one_of[0][0] if section.one_of else ""
     if any(key.name == option[0] for option in section.one_of[1:]):
         text = f"in place of `{first}`: {text}"
-    if isinstance(key.holds, Words) and not section.ways:
+    if isinstance(key.holds, Choice) and not section.ways:
         *most, last = (f'`"{word}"`' for word in key.holds.choices)
         text += f": {', '.join(most)} or {last}"
     unless = _unless(key)
@@ -123,7 +123,7 @@ def _unless(key: Key) -> str:
 
 def _others(section: Section, key: Key, shown: Mapping[str, str]) -> str:
     """What may stand in place of a line of the example."""
-    if isinstance(key.holds, Words):
+    if isinstance(key.holds, Choice):
         return ", ".join(word for word in key.holds.choices if f'"{word}"' != shown[key.name])
     if not any(key.name in option for option in section.one_of):
         return ""

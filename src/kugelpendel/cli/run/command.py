@@ -27,13 +27,13 @@ def run(file: Path, folder: Path | None, as_json: bool, track_format: str | None
 
     Parameters
     ----------
-    file : Path
+    file
         The job file; ``-`` for standard input.
-    folder : Path or None
+    folder
         Where the files go; ``out/`` and the name of the job, unless given.
-    as_json : bool
+    as_json
         Print the results as JSON in place of the report.
-    track_format : str or None
+    track_format
         Format of the track, in place of the one in the file.
 
     Raises

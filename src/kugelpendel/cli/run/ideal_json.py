@@ -30,11 +30,11 @@ def as_json(job: Job, summary: IdealSummary, files: Sequence[str]) -> str:
 
     Parameters
     ----------
-    job : Job
+    job
         What was asked.
-    summary : IdealSummary
+    summary
         What was found. What is infinite or does not exist is null.
-    files : sequence of str
+    files
         Names of the other files in the output folder.
     """
     tables = {

@@ -47,13 +47,13 @@ class RealResults:
 
     Attributes
     ----------
-    summary : RealSummary
+    summary
         Of the motion.
-    explanation : Explanation
+    explanation
         Of the plane's rate.
-    samples : int
+    samples
         Rows of the track.
-    stopped : bool
+    stopped
         Whether the user stopped it.
     """
 
@@ -68,20 +68,20 @@ def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
 
     Parameters
     ----------
-    job : Job
+    job
         With at least one of the tables of a real pendulum.
-    target : Path
+    target
         Where the files go.
-    title : str
+    title
         Above the figure.
 
     Returns
     -------
-    results : str
+    results
         As JSON.
-    report : str
+    report
         For the terminal.
-    files : list of str
+    files
         With their sizes, as they are named to the user.
 
     Raises

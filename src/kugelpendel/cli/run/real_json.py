@@ -31,11 +31,11 @@ def real_json(job: Job, found: RealResults, files: Sequence[str]) -> str:
 
     Parameters
     ----------
-    job : Job
+    job
         What was asked.
-    found : RealResults
+    found
         What was found.
-    files : sequence of str
+    files
         Names of the other files in the output folder.
     """
     seen, told = found.summary, found.explanation

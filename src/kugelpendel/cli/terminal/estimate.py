@@ -27,7 +27,7 @@ class Estimate:
 
     Parameters
     ----------
-    total : float
+    total
         How much work there is, in any unit.
     """
 

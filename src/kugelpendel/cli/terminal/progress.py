@@ -19,9 +19,9 @@ class Progress:
 
     Parameters
     ----------
-    title : str
+    title
         What is being done.
-    total : float
+    total
         How much work there is, in the units of `advance`.
     """
 

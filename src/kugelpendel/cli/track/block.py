@@ -31,11 +31,11 @@ class Block:
 
     Attributes
     ----------
-    first : int
+    first
         Index of its first sample.
-    time, tension : (n,) arrays
+    time, tension
         s, N.
-    position, velocity : (n, 3) arrays
+    position, velocity
         m, m/s.
     """
 

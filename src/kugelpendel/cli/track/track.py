@@ -44,17 +44,17 @@ def write_track(
 
     Parameters
     ----------
-    path : Path
+    path
         The file.
-    motion : ExactMotion
+    motion
         One motion, not an ensemble.
-    grid : Grid
+    grid
         The times.
-    track_format : str
+    track_format
         A key of `FILES`. CSV and Parquet have one column for each of time, x, y, z, vx, vy, vz,
         tension; NetCDF has position and velocity by time and axis. Units are in the CSV header, in
         the metadata of the Parquet fields, and in the NetCDF attributes.
-    done : callable
+    done
         Told how many samples were written since the last call.
     """
     writer = WRITERS[track_format]

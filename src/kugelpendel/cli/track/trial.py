@@ -37,7 +37,7 @@ LARGE = 1e9
 
 @dataclass(frozen=True)
 class Cost:
-    """What a track costs.
+    """The cost of a track.
 
     Attributes
     ----------

@@ -78,7 +78,7 @@ def printed(label: str) -> Relation:
 
 
 def premises(one: Formula) -> Premises:
-    """What its step may use."""
+    """The formulas that its step may use."""
     return Premises(one.step.premises, _RELATIONS)
 
 
