@@ -5,9 +5,7 @@ use crate::given::bob::Bob;
 use crate::given::drag::Drag;
 use crate::given::drive::Drive;
 use crate::given::invalid::{Invalid, finite};
-use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;
-use crate::given::pumping::refuse_pumping;
 use crate::given::site::{ROTATION, Site};
 use crate::given::suspension::Suspension;
 
@@ -192,18 +190,5 @@ impl Acting {
     /// Whether anything acts that the ideal pendulum does without; a bob alone changes its gravity only.
     pub fn acts(&self) -> bool {
         self.forces() != Forces::default() || self.drive.push() != 0.0
-    }
-
-    /// The effective pendulum, once everything is checked and no drive pumps without end.
-    ///
-    /// # Errors
-    /// A pendulum, launch or part that makes no sense, and a drive that pumps without end.
-    pub fn settle(&self, pendulum: &Pendulum, launch: &Launch) -> Result<Pendulum, Invalid> {
-        pendulum.check()?;
-        launch.check(pendulum)?;
-        self.check(pendulum)?;
-        let effective = self.effective_pendulum(pendulum)?;
-        refuse_pumping(&effective, launch, &self.drag.unwrap_or_default(), &self.drive)?;
-        Ok(effective)
     }
 }

@@ -7,7 +7,6 @@ pub(crate) mod forces;
 pub(crate) mod invalid;
 pub(crate) mod launch;
 pub(crate) mod pendulum;
-pub(crate) mod pumping;
 pub(crate) mod site;
 pub(crate) mod suspension;
 pub(crate) mod times;

@@ -200,3 +200,9 @@ macro_rules! dispatch {
     };
 }
 pub(crate) use dispatch;
+
+/// The product of two complex numbers.
+#[inline(always)]
+pub(crate) fn product<A: Arithmetic>([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
+    [A::mul_add(a, c, -(b * d)), A::mul_add(a, d, b * c)]
+}

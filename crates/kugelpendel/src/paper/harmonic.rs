@@ -5,14 +5,13 @@
 
 use crate::exact::motion::ExactMotion;
 use crate::exact::sampling::in_tasks;
-use crate::exact::theta::shape::product;
 use crate::given::invalid::{Invalid, require};
 use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;
 use crate::given::times::{Quantity, Times};
 use crate::meaning::events::events_on_a_grid;
 use crate::meaning::olsson;
-use crate::numbers::arithmetic::{Arithmetic, Portable, dispatch, horner};
+use crate::numbers::arithmetic::{Arithmetic, Portable, dispatch, horner, product};
 use crate::numbers::double_double::Dd;
 use crate::sampling::blocks::{Form, SwingAndFrame, blocks};
 use crate::sampling::blocks::{Rotations, half, rotations};

@@ -2,5 +2,6 @@
 
 pub(crate) mod motion;
 pub(crate) mod problem;
+mod pumping;
 pub(crate) mod sphere;
 pub(crate) mod step;

@@ -1,8 +1,7 @@
 //! A form in a turning frame at many times, in blocks that the compiler vectorises.
 
-use crate::exact::theta::shape::product;
 use crate::given::times::{Quantity, Times};
-use crate::numbers::arithmetic::{Arithmetic, dispatch};
+use crate::numbers::arithmetic::{Arithmetic, dispatch, product};
 use crate::numbers::double_double::{Dd, Pair};
 use crate::numbers::turns;
 

@@ -2,10 +2,10 @@
 
 use crate::exact::phase::Phase;
 use crate::exact::sampling::Plan;
-use crate::exact::theta::shape::{Shape, product};
+use crate::exact::theta::shape::Shape;
 use crate::exact::theta::trigonometric::{MAX_DEGREE, Trigonometric};
 use crate::given::times::{Quantity, Times};
-use crate::numbers::arithmetic::Arithmetic;
+use crate::numbers::arithmetic::{Arithmetic, product};
 use crate::sampling::blocks::half;
 use crate::sampling::blocks::{Form, SwingAndFrame, blocks};
 use std::f64::consts::{PI, TAU};

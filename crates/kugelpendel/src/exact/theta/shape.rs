@@ -1,7 +1,7 @@
 //! A point of the orbit in the frame that turns with the precession.
 
 use crate::exact::invariants::constants::Turning;
-use crate::numbers::arithmetic::Arithmetic;
+use crate::numbers::arithmetic::{Arithmetic, product};
 
 /// x + iy and the height above the bottom, and their derivatives with respect to the chart's own variable, in units of
 /// `unit` m: multiplied last, for it comes out of a division that all else need not wait for.
@@ -62,10 +62,4 @@ impl Shape {
 /// lowest, where |β|² ∝ 2 − s is; lengths in m.
 pub(crate) fn scales(length: f64, turning: &Turning, alpha: f64, beta: f64) -> [f64; 2] {
     [(length * turning.high).sqrt() / alpha, (length * turning.low_depth).sqrt() / beta]
-}
-
-/// Of two complex numbers.
-#[inline(always)]
-pub(crate) fn product<A: Arithmetic>([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
-    [A::mul_add(a, c, -(b * d)), A::mul_add(a, d, b * c)]
 }

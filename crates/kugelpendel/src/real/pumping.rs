@@ -1,8 +1,10 @@
-//! Whether a drive would lift the bob to its support, for want of drag.
+//! What acts, settled before anything moves: checked, with the pendulum that swings, and no drive that lifts the bob to its
+//! support for want of drag.
 
 use crate::exact::motion::ExactMotion;
 use crate::given::drag::Drag;
 use crate::given::drive::Drive;
+use crate::given::forces::Acting;
 use crate::given::invalid::Invalid;
 use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;
@@ -18,7 +20,7 @@ const LOOKS: usize = 400;
 ///
 /// # Errors
 /// The pumping, with the push that keeps the amplitude of the launch where there is one.
-pub(crate) fn refuse_pumping(pendulum: &Pendulum, launch: &Launch, drag: &Drag, drive: &Drive) -> Result<(), Invalid> {
+fn refuse_pumping(pendulum: &Pendulum, launch: &Launch, drag: &Drag, drive: &Drive) -> Result<(), Invalid> {
     if *drive == Drive::Absent {
         return Ok(());
     }
@@ -39,6 +41,21 @@ pub(crate) fn refuse_pumping(pendulum: &Pendulum, launch: &Launch, drag: &Drag, 
         return Err(Invalid::PumpingTooHard { push, amplitude: first, length, keeps });
     }
     Err(Invalid::Pumping { push, amplitude: first, length })
+}
+
+impl Acting {
+    /// The effective pendulum, once everything is checked and no drive pumps without end.
+    ///
+    /// # Errors
+    /// A pendulum, launch or part that makes no sense, and a drive that pumps without end.
+    pub fn settle(&self, pendulum: &Pendulum, launch: &Launch) -> Result<Pendulum, Invalid> {
+        pendulum.check()?;
+        launch.check(pendulum)?;
+        self.check(pendulum)?;
+        let effective = self.effective_pendulum(pendulum)?;
+        refuse_pumping(&effective, launch, &self.drag.unwrap_or_default(), &self.drive)?;
+        Ok(effective)
+    }
 }
 
 impl Drive {
