@@ -187,6 +187,19 @@ impl Progress<'_> {
         }
     }
 
+    /// The next step, or the one of a later checkpoint that does not lie after a time: what lies between is not asked for.
+    fn advance_towards(&mut self, motion: &impl Stepper, time: Pair) {
+        let Side { direction, step, checkpoints, .. } = &mut *self.side;
+        let is_later = checkpoints.last().is_some_and(|last| last.count > step.next.count);
+        if is_later {
+            let past = checkpoints.partition_point(|checkpoint| checkpoint.since(time) * *direction >= 0.0);
+            if let Some(best) = checkpoints[..past].last().filter(|best| best.count > step.next.count) {
+                *step = Step::before(*best);
+            }
+        }
+        self.advance(motion);
+    }
+
     /// Keeps where a request begins, or where one was left.
     fn remember(&mut self, start: Checkpoint) {
         let Side { recent, .. } = &mut *self.side;
@@ -292,7 +305,10 @@ fn sweep(
             _ => {}
         }
         let read = progress.side.step.start;
-        progress.advance(motion);
+        match order.peek() {
+            Some(&index) if !looking => progress.advance_towards(motion, dimensionless(times[index], omega0)),
+            _ => progress.advance(motion),
+        }
         if progress.steps.is_multiple_of(PATIENCE) && stop() {
             // Whoever goes on from here begins within the last step that is read.
             progress.remember(read);
