@@ -1,5 +1,6 @@
 """Calls from Python with what people hand over: each is an answer without NaN, or a sentence."""
 
+import contextlib
 import random
 import traceback
 import warnings
@@ -7,8 +8,12 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from tests.fuzz.in_process import TooLong, patience
 
 import kugelpendel as kp
+
+_PATIENCE = 2.0
+"""s: a call that somebody asked for may last, if it can be interrupted, as it is here."""
 
 SINGLE = (
     0, 0.0, -0.0, 1, 1.0, -1.0, 0.1, 0.3, 2.0, 3.0, 67.0, 1e-9, 1e-80, 1e-300, 5e-324, 1e9, 1e17,
@@ -39,7 +44,8 @@ def call_faults(count: int, seed: int, tick: Callable[[], None]) -> list[str]:
         try:
             with warnings.catch_warnings(), np.errstate(all="ignore"):
                 warnings.simplefilter("ignore")
-                _ask(chance, said)
+                with contextlib.suppress(TooLong), patience(_PATIENCE):
+                    _ask(chance, said)
         except kp.KugelpendelError as error:
             if len(str(error)) < 20:
                 found.append(f"{said}: {error!r} is no sentence")

@@ -58,7 +58,7 @@ def _fault(folder: Path, command: str, data: bytes, options: tuple[str, ...]) ->
             contextlib.redirect_stdout(printed),
             contextlib.redirect_stderr(said),
             warnings.catch_warnings(),
-            _patience(),
+            patience(PATIENCE),
         ):
             warnings.simplefilter("ignore")
             code = main(arguments)
@@ -109,12 +109,14 @@ def _nan(value: Any, where: str = "") -> str | None:
 
 
 @contextlib.contextmanager
-def _patience() -> Iterator[None]:
+def patience(seconds: float) -> Iterator[None]:
+    """Raise `TooLong` into a block that lasts longer."""
+
     def wake(number: int, frame: object) -> None:
         raise TooLong
 
     before = signal.signal(signal.SIGALRM, wake)
-    signal.setitimer(signal.ITIMER_REAL, PATIENCE)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
     try:
         yield
     finally:

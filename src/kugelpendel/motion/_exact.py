@@ -94,7 +94,7 @@ class ExactMotion(Motion):
 
     @property
     def trust(self) -> str:
-        """Where the motion holds."""
+        """A sentence on where the motion holds."""
         return "Everywhere and for ever, as far as the inputs are known."
 
     def position(self, t: ArrayLike) -> Numbers:

@@ -112,7 +112,7 @@ class Reasons:
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Of the ensemble."""
+        """The shape of the ensemble."""
         return self._shape
 
     def __len__(self) -> int:

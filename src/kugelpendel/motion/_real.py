@@ -112,7 +112,7 @@ class RealMotion(ForcedMotion, SteppedMotion):
 
     @property
     def tolerance(self) -> float:
-        """Of the integration."""
+        """The tolerance of the integration."""
         return self._tolerance
 
     @property
@@ -131,7 +131,7 @@ class RealMotion(ForcedMotion, SteppedMotion):
 
     @property
     def trust(self) -> str:
-        """Where the motion holds."""
+        """A sentence on where the motion holds."""
         return "Everywhere, as far as the forces are known; errors of the integration grow slowly."
 
     def _check_times(self, times: Numbers) -> None:

@@ -175,17 +175,16 @@ class Follower:
         back = RealMotion(
             motion.pendulum, Launch.state(position, -velocity), motion.forces, thread=motion.thread
         )
-        late = 1.5 * (passes[count] + self._small_revolution())
+        # The other sense passes the ray as often in about that time; half as much again is enough.
+        period = float((passes[count] - passes[0]) / count)
+        late = 1.5 * (count + 2) * period
         other = back.events("azimuth", 0.0, late, self._ray)[: count + 1]
         return Revolutions(
             sense=1 if momentum > 0 else -1,
-            period=float((passes[count] - passes[0]) / count),
+            period=period,
             last_period=float(passes[-1] - passes[-2]),
             other_period=float(np.diff(other).mean()) if len(other) > 1 else math.nan,
         )
-
-    def _small_revolution(self) -> float:
-        return 2 * math.pi / float(self._motion.angular_frequency)
 
 
 @dataclass(frozen=True)

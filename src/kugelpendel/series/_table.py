@@ -21,7 +21,7 @@ Written = dict[str, dict[str, str]]
 
 
 class Table(TypedDict):
-    """What the file holds.
+    """The table that the file holds.
 
     Attributes
     ----------

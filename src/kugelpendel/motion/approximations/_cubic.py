@@ -21,7 +21,7 @@ class CubicMotion(IntegratedMotion):
 
     @property
     def trust(self) -> str:
-        """Where the motion holds."""
+        """A sentence on where the motion holds."""
         return (
             "Small swings: the precession and the shift of the frequency are right to leading "
             "order only, off by a relative (a² + b²)/l²."

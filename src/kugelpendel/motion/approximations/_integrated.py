@@ -65,7 +65,7 @@ class IntegratedMotion(SteppedMotion):
 
     @property
     def pendulum(self) -> Pendulum:
-        """What swings."""
+        """The pendulum that swings."""
         return self._exact.pendulum
 
     @property

@@ -21,5 +21,5 @@ class PlaneMotion(IntegratedMotion):
 
     @property
     def trust(self) -> str:
-        """Where the motion holds."""
+        """A sentence on where the motion holds."""
         return "Exact below the support's level; ends where the bob reaches it."

@@ -96,7 +96,7 @@ class SeriesMotion(HarmonicMotion):
 
     @property
     def trust(self) -> str:
-        """Where the motion holds."""
+        """A sentence on where the motion holds."""
         return (
             f"Ellipses well below the support: what is left out is of relative order "
             f"(a/l)^{self._order + 2}; see series.trusted."
