@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
 
-from kugelpendel import ExactMotion, InvalidInput, Launch, Pendulum
+from kugelpendel import ExactMotion, InvalidInput, Launch, Pendulum, PlaneMotion
 
 PENDULUM = Pendulum(1.7, 9.81)
 MOTION = ExactMotion(PENDULUM, Launch.apsides(0.5, 0.2, 0.3))
@@ -86,3 +86,10 @@ def test_extreme_times_stay_on_the_sphere(time: float) -> None:
     assert np.linalg.norm(position) == pytest.approx(1.7, rel=1e-14)
     energy = velocity @ velocity / 2 + 9.81 * (1.7 - position[2])
     assert energy == pytest.approx(MOTION.energy, abs=1e-13)
+
+
+@pytest.mark.parametrize("time", [2e100, -1e308, [0.0, 1e250]])
+def test_no_integration_goes_on_for_ever(time: float | list[float]) -> None:
+    motion = PlaneMotion(PENDULUM, Launch.plane(0.1, 0.2, 0.0, 0.3))
+    with pytest.raises(InvalidInput, match=r"no further than 1e\+100 s from the launch"):
+        motion.position(time)

@@ -75,6 +75,10 @@ class Leg:
     ending: str
 
 
+_LATEST = 1e100
+"""s: beyond it a time in units of 1/ω0 need not be a number, and no integration gets there."""
+
+
 class _Core(Protocol):
     """What the motions of the core that are integrated have in common."""
 
@@ -166,6 +170,12 @@ class SteppedMotion(Motion):
 
     def _times(self, t: ArrayLike, numbers_each: int) -> Numbers:
         times = checked_times(t, numbers_each * self._count)
+        if times.size and np.abs(times).max() > _LATEST:
+            wrong = times[np.abs(times) > _LATEST]
+            raise InvalidInput(
+                f"An integration goes no further than {_LATEST:g} s from the launch, but "
+                f"{wrong.flat[0]} s is asked for; ExactMotion goes to any time."
+            )
         self._check_times(times)
         return times
 
