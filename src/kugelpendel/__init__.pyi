@@ -1,5 +1,6 @@
 from . import olsson as olsson
 from . import series as series
+from . import tracks as tracks
 from .builder import Design as Design
 from .builder import DesignAnswer as DesignAnswer
 from .builder import DesignCheck as DesignCheck
@@ -88,6 +89,7 @@ __all__ = [
     "measured_rates",
     "olsson",
     "series",
+    "tracks",
     "validity",
     "validity_map",
 ]
