@@ -10,7 +10,11 @@ HEAVY = ("h5netcdf", "matplotlib", "pandas", "pint", "pyarrow", "rich", "scipy",
 
 def loaded_after(statement: str) -> set[str]:
     """Top-level packages that a fresh interpreter has loaded after a statement."""
-    script = f"{statement}\nimport sys\nprint(*{{name.partition('.')[0] for name in sys.modules}})"
+    return {name.partition(".")[0] for name in modules_after(statement)}
+
+
+def modules_after(statement: str) -> set[str]:
+    script = f"{statement}\nimport sys\nprint(*sys.modules)"
     done = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, check=True
     )
@@ -23,14 +27,23 @@ def test_command_line_starts_without_numpy() -> None:
     assert loaded.isdisjoint({"numpy", *HEAVY})
 
 
-@pytest.mark.parametrize("arguments", [["--help"], ["run", "--help"]])
-def test_help_needs_no_numpy(arguments: list[str]) -> None:
-    call = (
+def called(*arguments: str) -> str:
+    return (
         "import contextlib, io, kugelpendel.cli\n"
         "with contextlib.redirect_stdout(io.StringIO()), contextlib.suppress(SystemExit):\n"
-        f"    kugelpendel.cli.main({arguments!r})"
+        f"    kugelpendel.cli.main({list(arguments)!r})"
     )
-    assert loaded_after(call).isdisjoint({"numpy", *HEAVY})
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["run", "--help"]])
+def test_help_needs_no_numpy(arguments: list[str]) -> None:
+    assert loaded_after(called(*arguments)).isdisjoint({"numpy", *HEAVY})
+
+
+def test_help_of_all_commands_reads_what_none_of_them_needs() -> None:
+    schema = "kugelpendel.cli.job_file.schema"
+    assert schema not in modules_after(called("--help"))
+    assert schema in modules_after(called("run", "--help"))
 
 
 def test_motion_needs_numpy_alone() -> None:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from kugelpendel.cli.compare import arguments as compare
 from kugelpendel.cli.derive import arguments as derive
 from kugelpendel.cli.design import arguments as design
-from kugelpendel.cli.options import Refused
+from kugelpendel.cli.options import CommandParser, Refused
 from kugelpendel.cli.run import arguments as run
 from kugelpendel.cli.terminal import streams
 from kugelpendel.cli.validity import arguments as validity
@@ -123,7 +123,7 @@ def _parser() -> argparse.ArgumentParser:
         epilog="kugelpendel run --help shows what a job file looks like.",
     )
     parser.add_argument("--version", action="store_true", help="print the version and leave")
-    commands = parser.add_subparsers(dest="command", metavar="COMMAND")
+    commands = parser.add_subparsers(dest="command", metavar="COMMAND", parser_class=CommandParser)
     for command in _COMMANDS:
         command.add(commands)
     return parser

@@ -5,12 +5,37 @@ from __future__ import annotations
 import argparse
 import textwrap
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
-
-from kugelpendel.cli.job_file.schema_text import example, listing
+from typing import TYPE_CHECKING, Any, Protocol
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from kugelpendel.cli.job_file.schema import FileSchema
+
+
+class CommandParser(argparse.ArgumentParser):
+    """The parser of one command, whose arguments are added when the command is asked for.
+
+    So the help of all commands answers before what any one of them needs is imported.
+
+    Parameters
+    ----------
+    arguments
+        Adds them to the parser.
+    words
+        As for its base.
+    """
+
+    def __init__(self, *, arguments: Callable[[argparse.ArgumentParser], None], **words: Any):
+        super().__init__(**words)
+        self._add = arguments
+
+    def parse_known_args(  # pyright: ignore[reportIncompatibleMethodOverride] - all its overloads
+        self, args: Any = None, namespace: Any = None
+    ) -> Any:
+        """Read the words behind the command."""
+        self._add(self)
+        return super().parse_known_args(args, namespace)
 
 
 class Commands(Protocol):
@@ -22,8 +47,9 @@ class Commands(Protocol):
         *,
         help: str,  # noqa: A002 - it is argparse's
         description: str,
+        arguments: Callable[[argparse.ArgumentParser], None],
         epilog: str | None = None,
-    ) -> argparse.ArgumentParser:
+    ) -> object:
         """Add one."""
         ...
 
@@ -60,6 +86,8 @@ def a_folder(text: str) -> Path:
 
 def takes_a_file(parser: argparse.ArgumentParser, schema: FileSchema, what: str) -> None:
     """Let a command take a job file and say where the files go; its help shows such a file."""
+    from kugelpendel.cli.job_file.schema_text import example, listing
+
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.description = textwrap.fill(parser.description or "", 78)
     indented = example(schema).replace("\n", "\n  ").replace("\n  \n", "\n\n").rstrip()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from kugelpendel.cli.job_file.schema import JOB
 from kugelpendel.cli.options import takes_a_file
 
 if TYPE_CHECKING:
@@ -15,11 +14,17 @@ if TYPE_CHECKING:
 
 def add(commands: Commands) -> None:
     """Add the command."""
-    parser = commands.add_parser(
+    commands.add_parser(
         "compare",
         help="compare the paper's motions with the exact one",
         description="Print how far every motion goes astray, and write a figure and the results.",
+        arguments=_arguments,
     )
+
+
+def _arguments(parser: argparse.ArgumentParser) -> None:
+    from kugelpendel.cli.job_file.schema import JOB
+
     takes_a_file(parser, JOB, "the job, without forces")
     parser.set_defaults(do=_compare, extra="run")
 

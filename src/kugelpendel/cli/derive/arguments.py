@@ -14,12 +14,16 @@ if TYPE_CHECKING:
 
 def add(commands: Commands) -> None:
     """Add the command."""
-    parser = commands.add_parser(
+    commands.add_parser(
         "derive",
         help="show or check why it is true",
         description="The derivation of the precession, from Newton's law on, with every step.",
         epilog="kugelpendel derive --format html writes the page to read or print.",
+        arguments=_arguments,
     )
+
+
+def _arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "equation",
         nargs="?",

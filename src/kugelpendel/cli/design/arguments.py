@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from kugelpendel.cli.job_file.schema import DESIGN
 from kugelpendel.cli.options import takes_a_file
 
 if TYPE_CHECKING:
@@ -15,13 +14,19 @@ if TYPE_CHECKING:
 
 def add(commands: Commands) -> None:
     """Add the command."""
-    parser = commands.add_parser(
+    commands.add_parser(
         "design",
         help="answer what the builder of a pendulum asks",
         description="Print period, turning, decay, suspension, drive, passage and wire of a "
         "pendulum, each by its formula and by the full equations, and write a figure and the "
         "results.",
+        arguments=_arguments,
     )
+
+
+def _arguments(parser: argparse.ArgumentParser) -> None:
+    from kugelpendel.cli.job_file.schema import DESIGN
+
     takes_a_file(parser, DESIGN, "the pendulum and the questions")
     parser.add_argument(
         "--formulas", action="store_true", help="leave out the checks by the full equations"

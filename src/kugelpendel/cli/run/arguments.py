@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from kugelpendel.cli.job_file.schema import JOB
 from kugelpendel.cli.options import takes_a_file
 
 if TYPE_CHECKING:
@@ -15,11 +14,17 @@ if TYPE_CHECKING:
 
 def add(commands: Commands) -> None:
     """Add the command."""
-    parser = commands.add_parser(
+    commands.add_parser(
         "run",
         help="do the job that a file describes",
         description="Print what the pendulum does, and write its track, a figure and the results.",
+        arguments=_arguments,
     )
+
+
+def _arguments(parser: argparse.ArgumentParser) -> None:
+    from kugelpendel.cli.job_file.schema import JOB
+
     takes_a_file(parser, JOB, "the job")
     parser.add_argument(
         "--format", choices=("csv", "netcdf", "parquet"), help="format of the track (default: csv)"

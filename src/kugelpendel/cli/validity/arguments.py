@@ -14,12 +14,16 @@ if TYPE_CHECKING:
 
 def add(commands: Commands) -> None:
     """Add the command."""
-    parser = commands.add_parser(
+    commands.add_parser(
         "validity",
         help="say how good the formulas for small ellipses are",
         description="Print the errors of (25), (26) and of the series of each order, for one "
         "pendulum or for all. Lengths have a unit or are in m.",
+        arguments=_arguments,
     )
+
+
+def _arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--length", metavar="LENGTH", help='of the pendulum, such as "67 m"')
     parser.add_argument("--a", metavar="LENGTH", help="outer turning radius")
     parser.add_argument(
