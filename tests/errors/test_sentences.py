@@ -8,9 +8,8 @@ from typing import Any, get_args
 import pytest
 
 import kugelpendel as kp
-from kugelpendel.errors import KugelpendelError, problem_kinds
+from kugelpendel.errors import Door, KugelpendelError, Language, problem_kinds
 from kugelpendel.errors._sentences import read
-from kugelpendel.errors._types import Door, Language
 
 P = kp.Pendulum(2.0, 9.8)
 SWING = kp.Launch.ellipse(0.3, 0.0)

@@ -9,7 +9,7 @@ from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from kugelpendel.errors._types import Door, Language, Seen
+    from kugelpendel.errors._seen import Door, Language, Seen
 
 _EXACT = ("pendulum", "")
 """Parts whose values are shown to the last digit, as the exact motion takes them so.
