@@ -2,7 +2,7 @@
 
 use crate::exact::invariants::constants::Invariants;
 use crate::exact::motion::{ExactMotion, solve_with};
-use crate::exact::sampling::Plan;
+use crate::exact::plan::Plan;
 use crate::exact::sampling::fill_part_with;
 use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;

@@ -5,6 +5,7 @@ pub(crate) mod ensemble;
 pub(crate) mod invariants;
 pub(crate) mod motion;
 pub(crate) mod phase;
+pub(crate) mod plan;
 pub(crate) mod sampling;
 pub(crate) mod spectrum;
 pub(crate) mod tension;

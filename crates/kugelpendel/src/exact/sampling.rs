@@ -8,13 +8,13 @@
 use crate::exact::chart::Chart;
 use crate::exact::motion::ExactMotion;
 use crate::exact::phase::Phase;
+use crate::exact::plan::Plan;
 use crate::exact::theta::blocks::{Scale, fill_theta, seen_from_outside};
 use crate::exact::theta::shape::Shape;
 use crate::given::times::{Quantity, Times};
 use crate::numbers::arithmetic::{Arithmetic, dispatch};
 use crate::numbers::double_double::{Pair, two_sum};
 use crate::numbers::turns;
-use crate::sampling::blocks::{Rotations, rotations};
 #[cfg(feature = "threads")]
 use crate::sampling::threads::in_parallel;
 use std::f64::consts::TAU;
@@ -22,30 +22,6 @@ use std::f64::consts::TAU;
 /// Times that one thread takes at once; smaller requests stay on the caller's thread.
 #[cfg(feature = "threads")]
 const TASK: usize = 64 * crate::sampling::blocks::TIMES_PER_BLOCK;
-
-/// Everything about a request that is the same for every time.
-pub(crate) struct Plan {
-    pub(crate) chart: Chart,
-    pub(crate) phase: Phase,
-    pub(crate) length: f64,
-    /// Turns of the frame at t = 0.
-    pub(crate) turn: f64,
-    pub(crate) rotations: Option<Box<Rotations>>,
-}
-
-impl Plan {
-    pub(crate) fn new(motion: &ExactMotion, times: &Times<'_>) -> Self {
-        let phase = motion.phase();
-        let (chart, turn) = motion.chart(&phase);
-        let rotations = match (times, phase, &chart) {
-            (Times::Grid { step, .. }, Phase::Periodic { swings, frame, .. }, Chart::Trigonometric(_)) => {
-                Some(rotations(*step, swings, frame))
-            }
-            _ => None,
-        };
-        Self { chart, phase, length: motion.pendulum.length, turn, rotations }
-    }
-}
 
 impl ExactMotion {
     /// Fills `out`, three numbers to a time.

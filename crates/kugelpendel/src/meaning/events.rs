@@ -2,7 +2,7 @@
 
 use crate::exact::motion::ExactMotion;
 use crate::exact::phase::Phase;
-use crate::exact::sampling::Plan;
+use crate::exact::plan::Plan;
 use crate::given::pendulum::Pendulum;
 use crate::given::times::{Quantity, Times};
 use crate::numbers::arithmetic::Portable;

@@ -1,7 +1,7 @@
 //! The trigonometric chart at many times.
 
 use crate::exact::phase::Phase;
-use crate::exact::sampling::Plan;
+use crate::exact::plan::Plan;
 use crate::exact::theta::shape::Shape;
 use crate::exact::theta::trigonometric::{MAX_DEGREE, Trigonometric};
 use crate::given::times::{Quantity, Times};
