@@ -12,6 +12,7 @@ import kugelpendel as kp
 from kugelpendel import plot
 from kugelpendel.plot import _ink
 from kugelpendel.plot._compared import _LINES
+from kugelpendel.plot._rates import _SHADES, _STROKES
 
 # Linear RGB as seen without the medium, the long and the short cones, severity 1.0: Machado,
 # Oliveira & Fernandes, IEEE Trans. Vis. Comput. Graph. 15, 1291 (2009).
@@ -82,19 +83,28 @@ def test_lines_of_the_comparison_differ_in_colour_or_dashes(vision: str) -> None
         assert apart(first, second, vision) > JUST_APART or dashes != others, (first, second)
 
 
+@pytest.mark.parametrize("vision", [*VISION, "grey"])
+def test_causes_differ_in_colour_or_dashes(vision: str) -> None:
+    """In colour, and in dashes as well, so that grey print will do."""
+    strokes = {**_STROKES, "together": (_ink.TEXT, "-")}
+    for (first, dashes), (second, others) in itertools.combinations(strokes.values(), 2):
+        if vision == "grey":
+            lightness = abs(lab(first, "full")[0] - lab(second, "full")[0])
+            assert lightness > JUST_APART or dashes != others, (first, second)
+        else:
+            assert apart(first, second, vision) > JUST_APART, (first, second)
+
+
+def test_paces_differ_in_their_hatch() -> None:
+    assert len({hatch for _, hatch in _SHADES.values()}) == len(_SHADES)
+
+
 @pytest.mark.parametrize("vision", VISION)
 def test_time_runs_one_way_for_everyone(vision: str) -> None:
     from matplotlib.colors import to_hex
 
     lightness = [lab(to_hex(_ink.TIME(x)), vision)[0] for x in np.linspace(0, 1, 30)]
     assert (np.diff(lightness) > 0).all()
-
-
-def test_no_label_shows_an_underscore() -> None:
-    motion = kp.ExactMotion(kp.Pendulum(1.0), kp.Launch.apsides(0.2, 0.1))
-    figure = plot.overview(motion, 60.0, 0.01, "A title")
-    for text in figure.findobj(lambda artist: hasattr(artist, "get_text")):
-        assert "_" not in text.get_text()  # pyright: ignore[reportAttributeAccessIssue]
 
 
 def test_a_few_points_are_not_joined() -> None:

@@ -107,7 +107,7 @@ def test_ideal_line_stands_beside_the_azimuth() -> None:
     assert_allclose(seen, np.degrees(apsides.azimuth))
     assert np.ptp(ideal) == pytest.approx(15.041 * 6 * math.sin(math.radians(48)), rel=1e-4)
     labels = [text.get_text() for text in azimuth.get_legend().get_texts()]  # pyright: ignore[reportOptionalMemberAccess]
-    assert labels[1] == "−Ω_E sin(latitude), −11.18 °/h"
+    assert labels[1] == r"$−Ω_\mathrm{E}$ sin(latitude), −11.18 °/h"
     apart = np.asarray(ahead.lines[1].get_ydata())
     assert_allclose(apart, seen - ideal, atol=1e-9)
 

@@ -64,7 +64,7 @@ class Forces:
     def __post_init__(self) -> None:
         for name, part in self.parts.items():
             way_out = f"write {name}=kp.{_PARTS[name].__name__}(…)"
-            require_type(name, part, _PARTS[name], way_out)
+            require_type(name, part, _PARTS[name], way_out=way_out)
         try:
             _ = self.shape
         except ValueError:
@@ -145,7 +145,7 @@ def gathered(what: str, forces: Any, parts: ForceParts) -> Forces:
         raise InvalidInput.of("unknown_part", what=what, seen=unknown[0], known=listed)
     if forces is None:
         return Forces(**parts)
-    require_type("forces", forces, Forces, "write kp.Forces(drag=…)")
+    require_type("forces", forces, Forces, way_out="write kp.Forces(drag=…)")
     given = [name for name, part in parts.items() if part is not None]
     if given:
         raise InvalidInput.of("parts_twice", seen=", ".join(given))
@@ -165,5 +165,5 @@ def require_given(motion: str, pendulum: Any, launch: Any) -> None:
     call = f"kp.{motion}(kp.Pendulum(length), kp.Launch.ellipse(a, b))"
     swapped = isinstance(pendulum, Launch) and isinstance(launch, Pendulum)
     way_out = f"the pendulum comes first: {call}" if swapped else f"write {call}"
-    require_type(f"The pendulum of {motion}", pendulum, Pendulum, way_out)
-    require_type(f"The launch of {motion}", launch, Launch, way_out)
+    require_type(f"The pendulum of {motion}", pendulum, Pendulum, way_out=way_out)
+    require_type(f"The launch of {motion}", launch, Launch, way_out=way_out)

@@ -126,22 +126,22 @@ def _spelled_value(value: Scalars) -> str:
     return f"[{flat[0]:.6g} … {flat[-1]:.6g}: {' × '.join(map(str, value.shape))}]"
 
 
-def require_type(what: str, given: object, wanted: type, way_out: str = "") -> None:
-    """Raise InvalidInput for what is no instance of a class of this package.
+def require_type(what: str, given: object, *wanted: type, way_out: str = "") -> None:
+    """Raise InvalidInput for what is no instance of these classes of this package.
 
     Parameters
     ----------
     what
         For the sentence, such as "The pendulum".
     way_out
-        What to write; a call of the class unless given.
+        What to write; a call of the first class unless given.
     """
     if isinstance(given, wanted):
         return
     raise InvalidInput.of(
         "wrong_type",
         what=what,
-        wanted=f"kugelpendel.{wanted.__name__}",
+        wanted=" or ".join(f"kugelpendel.{kind.__name__}" for kind in wanted),
         seen=f"{given!r:.60} of type {type(given).__name__}",
-        way_out=way_out or f"write kp.{wanted.__name__}(…)",
+        way_out=way_out or f"write kp.{wanted[0].__name__}(…)",
     )

@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import math
-import textwrap
 from itertools import cycle
 from typing import TYPE_CHECKING
 
@@ -13,21 +12,17 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
 
+from kugelpendel.observables import Comparison
+from kugelpendel.parameters import require_type
 from kugelpendel.plot import _ink
 from kugelpendel.spelling import spell, unit_for
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from kugelpendel import Comparison
-
 _LOWEST = 1e-17
 """What is smaller than this fraction of the amplitude is drawn there."""
-
-_APART = 0.045
-"""Least distance of two labels, as a fraction of the height of the axes."""
 
 _FEW = 3
 """Up to so many half swings the errors are drawn as they are, of more their largest in each."""
@@ -56,7 +51,13 @@ def compared(comparison: Comparison, title: str = "") -> Figure:
     -------
     A figure of matplotlib without a window or a global state, which a notebook shows at once;
     `save` writes it.
+
+    Raises
+    ------
+    InvalidInput
+        For what is no comparison, and a title that is no text.
     """
+    require_type("What is drawn", comparison, Comparison, way_out="write kp.compare(…)")
     with mpl.rc_context(_ink.STYLE):
         figure = _ink.blank(9.5, 5.6)
         axes = figure.add_subplot()
@@ -65,32 +66,31 @@ def compared(comparison: Comparison, title: str = "") -> Figure:
         scale = comparison.amplitude or 1.0
         few = _half_swings(comparison, duration) <= _FEW
         what = "error of the position" if few else "largest error in a half swing"
-        ends: list[tuple[float, str, str]] = []
+        ends: list[tuple[float, float, str, str]] = []
         for row, (colour, dashes) in zip(comparison.rows, cycle(_LINES), strict=False):
             if row.errors is None:
                 continue
             errors = np.maximum(row.errors / scale, _LOWEST)
             times, largest = _envelope(comparison, errors)
             _ink.draw_curve(axes, times / clock.size, largest, dashes, color=colour, linewidth=1.7)
-            ends.append((float(largest[-1]), f"{row.name}  {row.equation}", colour))
+            across = float(times[-1]) / duration
+            ends.append((across, float(largest[-1]), f"{row.name}  {row.equation}", colour))
         axes.set(
             yscale="log",
             xlim=(0, duration / clock.size),
             xlabel=f"time ({clock.symbol})",
             ylabel=f"{what}, as a fraction of {spell(scale, 'm')}",
         )
-        figure.suptitle(
-            textwrap.fill(title or "Errors of position against the exact motion", 90),
-            fontsize=12,
-            color=_ink.TEXT,
-        )
+        _ink.entitle(figure, title or "Errors of position against the exact motion", 95)
         low, high = axes.get_ylim()
         axes.set_ylim(max(low / 2, _LOWEST / 3), min(high * 2, 10))
         axes.xaxis.set_major_locator(MaxNLocator(8, steps=[1, 2, 2.5, 5, 10]))
         axes.yaxis.set_major_locator(LogLocator(numticks=12))
         axes.yaxis.set_minor_formatter(NullFormatter())
         axes.grid(axis="y", which="major", color=_ink.QUIET, alpha=0.25, linewidth=0.8)
-        _label(axes, ends)
+        low, high = np.log10(axes.get_ylim())
+        heights = [(math.log10(value) - low) / (high - low) for _, value, _, _ in ends]
+        _ink.name_ends(axes, [(e[0], h, *e[2:]) for e, h in zip(ends, heights, strict=True)])
         missing = [row.name for row in comparison.rows if row.errors is None]
         if not ends:
             axes.set_axis_off()
@@ -127,43 +127,3 @@ def _envelope(
 def _half_swings(comparison: Comparison, duration: float) -> int:
     half_swing = float(comparison.exact.radial_period)
     return math.floor(duration / half_swing) if half_swing < math.inf else 0
-
-
-def _label(axes: Axes, ends: list[tuple[float, str, str]]) -> None:
-    """Write each line's name at its right end, moved up or down where two would meet."""
-    low, high = np.log10(axes.get_ylim())
-    ends = sorted(ends)
-    wanted = np.array([(math.log10(value) - low) / (high - low) for value, _, _ in ends])
-    places = _spread(wanted)
-    for (_, text, colour), want, place in zip(ends, wanted, places, strict=True):
-        axes.annotate(
-            text,
-            xy=(1, float(want)),
-            xytext=(1.03, float(place)),
-            xycoords="axes fraction",
-            textcoords="axes fraction",
-            color=colour,
-            fontsize=9.5,
-            va="center",
-            arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.8, "relpos": (0, 0.5)},
-        )
-
-
-def _spread(wanted: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The sorted places, moved as little as it takes to lie `_APART`."""
-    groups: list[list[float]] = []
-    for place in wanted:
-        groups.append([float(place)])
-        while len(groups) > 1:
-            above, below = groups[-1], groups[-2]
-            reach = (len(above) + len(below)) / 2 * _APART
-            if np.mean(above) - np.mean(below) >= reach:
-                break
-            groups[-2:] = [below + above]
-    return np.concatenate(
-        [
-            np.mean(group) + _APART * (np.arange(len(group)) - (len(group) - 1) / 2)
-            for group in groups
-        ]
-        or [np.empty(0)]
-    )

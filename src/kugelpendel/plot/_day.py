@@ -5,16 +5,15 @@
 from __future__ import annotations
 
 import math
-import textwrap
 from typing import TYPE_CHECKING
 
 import matplotlib as mpl
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
-from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import MaxNLocator
 
+from kugelpendel.motion import EnvelopeMotion, PrecessionBudget, RealMotion
+from kugelpendel.observables import Apsides
+from kugelpendel.parameters import InvalidInput, require_type
 from kugelpendel.plot import _ink
 from kugelpendel.plot._rates import draw_rates
 from kugelpendel.spelling import spell_rate, unit_for
@@ -22,11 +21,8 @@ from kugelpendel.spelling import spell_rate, unit_for
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.collections import LineCollection
+    from matplotlib.figure import Figure
     from numpy.typing import NDArray
-
-    from kugelpendel import EnvelopeMotion, RealMotion
-    from kugelpendel.motion import PrecessionBudget
-    from kugelpendel.observables import Apsides
 
 _SWINGS = 6
 """Swings in the plan view, evenly spread over the time."""
@@ -56,13 +52,36 @@ def day(
 
     Returns
     -------
-    Figure
-        Without a window or a global state; `save` writes it.
+    A figure of matplotlib without a window or a global state, which a notebook shows at once;
+    `save` writes it.
+
+    Raises
+    ------
+    InvalidInput
+        For an ensemble, for what is of another type, and where no turning point was measured.
     """
+    way_out = "write kp.RealMotion(pendulum, launch, forces)"
+    require_type("The motion of a day", motion, RealMotion, EnvelopeMotion, way_out=way_out)
+    if motion.shape != ():
+        raise InvalidInput(
+            f"One motion can be shown at a time, and this is an ensemble of shape {motion.shape}; "
+            f"pick one of its motions, motion[0] for instance."
+        )
+    if not isinstance(apsides, Apsides):  # pyright: ignore[reportUnnecessaryIsInstance]
+        raise InvalidInput(
+            f"The measured swings must be a kugelpendel.observables.Apsides, but they are "
+            f"{apsides!r:.60} of type {type(apsides).__name__}; write Follower(motion, …).apsides."
+        )
+    if apsides.times.size == 0:
+        raise InvalidInput(
+            "No turning point was measured, so that there is no plane to draw; follow the motion "
+            "for half a swing at least."
+        )
+    if shares is not None:
+        way_out = "write EnvelopeMotion.rates(times), or None"
+        require_type("What turned the plane", shares, PrecessionBudget, way_out=way_out)
     with mpl.rc_context(_ink.STYLE):
-        engine = ConstrainedLayoutEngine(w_pad=0.12, h_pad=0.08)
-        figure = Figure(figsize=(12, 9.2), layout=engine, dpi=130)
-        FigureCanvasAgg(figure)
+        figure = _ink.blank(12, 9.2, h_pad=0.08)
         grid = figure.add_gridspec(2, 2, width_ratios=(1.3, 1), height_ratios=(1, 1))
         left, right = grid[0, 0].subgridspec(2, 1, height_ratios=(2.2, 1)), grid[1, 1]
         azimuth = figure.add_subplot(left[0])
@@ -94,8 +113,7 @@ def day(
         bar = figure.colorbar(lines, ax=plan, shrink=0.75, aspect=28)
         bar.set_label(f"time ({timeline.unit.symbol})")
         bar.outline.set_visible(False)  # pyright: ignore[reportCallIssue]
-        if title:
-            figure.suptitle(textwrap.fill(title, 110), fontsize=13, color=_ink.TEXT)
+        _ink.entitle(figure, title, 110)
     return figure
 
 
@@ -116,7 +134,7 @@ def _draw_azimuth(axes: Axes, ahead: Axes, apsides: Apsides, time: NDArray[np.fl
             "--",
             color=_ink.OUTER,
             linewidth=1.4,
-            label=f"−Ω_E sin(latitude), {spell_rate(apsides.foucault_rate)}",
+            label=rf"$−Ω_\mathrm{{E}}$ sin(latitude), {spell_rate(apsides.foucault_rate)}",
         )
     axes.set(title="Azimuth of the plane", ylabel="azimuth (°)")
     axes.margins(y=0.08)

@@ -9,18 +9,16 @@ from typing import TYPE_CHECKING
 
 import matplotlib as mpl
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
-from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import MaxNLocator
 
+from kugelpendel.builder import Design
+from kugelpendel.parameters import require_type
 from kugelpendel.plot import _ink
 from kugelpendel.spelling import significant, spell, spell_rate, unit_for
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-    from kugelpendel import Design
+    from matplotlib.figure import Figure
 
 _HOURLY = math.degrees(1) * 3600  # °/h in a rad/s
 
@@ -30,6 +28,9 @@ _NAMES = {
     "anisotropy": "suspension, at the start",
     "damping": "uneven damping, at the start",
 }
+
+_SEEN = 0.004
+"""A bar shorter than this share of the longest one is no more than its axis, and is not drawn."""
 
 _HALVES = 3
 """The decay is drawn for so many times the time to half the amplitude."""
@@ -47,19 +48,21 @@ def design(found: Design, title: str = "") -> Figure:
 
     Returns
     -------
-    Figure
-        Without a window or a global state; `save` writes it.
+    A figure of matplotlib without a window or a global state, which a notebook shows at once;
+    `save` writes it. Above it stands which pendulum it is.
+
+    Raises
+    ------
+    InvalidInput
+        For what is no design, and a title that is no text.
     """
+    require_type("What is drawn", found, Design, way_out="write kp.design(pendulum, a, b)")
     with mpl.rc_context(_ink.STYLE):
-        figure = Figure(
-            figsize=(11.5, 4.8), layout=ConstrainedLayoutEngine(w_pad=0.12, h_pad=0.1), dpi=130
-        )
-        FigureCanvasAgg(figure)
+        figure = _ink.blank(11.5, 4.8)
         left, right = figure.subplots(1, 2, width_ratios=(1.35, 1))
         _draw_rates(left, found)
         _draw_decay(right, found)
-        if title:
-            figure.suptitle(title[:1].upper() + title[1:], fontsize=13, color=_ink.TEXT)
+        _ink.entitle(figure, _ink.naming(title, found.pendulum, found.a, found.b), 100)
     return figure
 
 
@@ -71,11 +74,15 @@ def _draw_rates(axes: Axes, found: Design) -> None:
     reach = max([abs(rate) for _, rate in bars] + [abs(end) for _, *pair in spans for end in pair])
     for row, (_, rate) in enumerate(bars):
         colour = _ink.TEXT if row == len(bars) - 1 else _ink.INNER
-        axes.barh(row, rate * _HOURLY, height=0.55, color=colour)
+        if abs(rate) > _SEEN * reach:
+            axes.barh(row, rate * _HOURLY, height=0.55, color=colour)
         _write(axes, row, rate, spell_rate(rate, 4) if rate else "0", left=rate < 0)
     for row, (_, slow, fast) in enumerate(spans, start=len(bars)):
         low, high = sorted((slow * _HOURLY, fast * _HOURLY))
-        axes.barh(row, high - low, left=low, height=0.55, color=_ink.OUTER)
+        if high - low > _SEEN * reach * _HOURLY:
+            axes.barh(row, high - low, left=low, height=0.55, color=_ink.OUTER)
+        else:
+            axes.plot((low + high) / 2, row, "d", color=_ink.OUTER, markersize=7)
         text = " to ".join(significant(value * _HOURLY, 4) for value in (slow, fast))
         _write(axes, row, max(slow, fast), f"{text} °/h", left=False)
     axes.set_yticks(range(len(bars) + len(spans)), [name for name, *_ in (*bars, *spans)])

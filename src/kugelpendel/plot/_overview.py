@@ -5,13 +5,15 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import matplotlib as mpl
 from matplotlib.ticker import MaxNLocator
 
+from kugelpendel.motion import Motion
 from kugelpendel.observables import IdealSummary
-from kugelpendel.parameters import InvalidInput
+from kugelpendel.parameters import InvalidInput, require_type
 from kugelpendel.plot import _ink
 from kugelpendel.plot._apsides import draw_apsides
 from kugelpendel.plot._path import visible_path
@@ -19,11 +21,7 @@ from kugelpendel.plot._plan import draw_plan, draw_stretched, is_narrow
 from kugelpendel.plot._side import draw_side
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from matplotlib.figure import Figure
-
-    from kugelpendel.motion import Motion
 
 
 def overview(
@@ -52,15 +50,26 @@ def overview(
     Raises
     ------
     InvalidInput
-        For an ensemble, and a duration that is not positive and finite.
+        For an ensemble, for what is no motion, a duration that is not positive and finite, an
+        approximate rate that is no finite number, and a title that is no text.
     """
+    way_out = "write kp.ExactMotion(pendulum, launch), for instance"
+    require_type("What is drawn", motion, Motion, way_out=way_out)
     known = IdealSummary.of(motion)
+    duration = _ink.one_number("duration", duration, "s")
     if not 0 < duration < math.inf:
         raise InvalidInput(
-            f"A figure needs a duration that is positive and finite, but it is {duration} s; give "
-            f"the seconds from the launch on that are to be shown."
+            f"A figure needs a duration that is positive and finite, but it is {duration:.6g} s; "
+            f"give the seconds from the launch on that are to be shown."
         )
-    duration = min(float(duration), motion.span[1])
+    if approximate is not None and not math.isfinite(
+        _ink.one_number("approximate", approximate, "rad/s")
+    ):
+        raise InvalidInput(
+            f"A precession that is drawn must be a finite rate in rad/s, but it is {approximate}; "
+            f"leave it out where formula (25) does not apply."
+        )
+    duration = min(duration, motion.span[1])
     with mpl.rc_context(_ink.STYLE):
         path = visible_path(motion, known, duration)
         narrow = is_narrow(path)
@@ -84,16 +93,28 @@ def overview(
         bar = figure.colorbar(lines, ax=from_above, location="left", shrink=0.6, aspect=30)
         bar.set_label(f"time ({timeline.unit.symbol})" + (path.caption and f", {path.caption}"))
         bar.outline.set_visible(False)  # pyright: ignore[reportCallIssue]
-        if title:
-            figure.suptitle(title, fontsize=13, color=_ink.TEXT)
+        _ink.entitle(figure, title, 100)
     return figure
 
 
 def save(figure: Figure, path: Path | str) -> None:
     """Write a figure; the ending of the name says as what: png, svg or pdf.
 
-    The same figure gives the same file, byte for byte, with the same version of matplotlib.
+    The same figure gives the same file, byte for byte, with the same version of matplotlib. Raises
+    InvalidInput for another ending, and for what is no figure.
     """
+    if not isinstance(figure, _ink.Figure):  # pyright: ignore[reportUnnecessaryIsInstance]
+        raise InvalidInput(
+            f"Only a figure can be saved, but this is {figure!r:.60} of type "
+            f"{type(figure).__name__}; write save(plot.overview(motion, duration), path)."
+        )
+    known = figure.canvas.get_supported_filetypes()
+    ending = Path(path).suffix.lstrip(".").lower()
+    if ending not in known:
+        raise InvalidInput(
+            f"The file's name {str(path)!r} does not end with a kind of picture; let it end with "
+            f".png, .svg or .pdf."
+        )
     metadata = {"Date": None} if str(path).endswith(".svg") else None
     with mpl.rc_context(_ink.STYLE):
         figure.savefig(path, metadata=metadata)

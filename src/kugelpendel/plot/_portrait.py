@@ -5,30 +5,27 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
-from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import MultipleLocator
 
-from kugelpendel.motion import EnvelopeMotion
+from kugelpendel.motion import EnvelopeMotion, RealMotion
 from kugelpendel.observables import Portrait
-from kugelpendel.parameters import InvalidInput
+from kugelpendel.parameters import InvalidInput, require_type
 from kugelpendel.plot import _ink
 from kugelpendel.spelling import general, minus, spell, spell_rate, unit_for
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
     from matplotlib.typing import RcKeyType
     from numpy.typing import NDArray
-
-    from kugelpendel.motion import RealMotion
 
 _COLUMNS, _ROWS = 240, 241
 """Of the grid on which the regions are told apart."""
@@ -74,15 +71,23 @@ def portrait(
 
     Returns
     -------
-    Figure
-        Without a window or a global state; `save` writes it.
+    A figure of matplotlib without a window or a global state, which a notebook shows at once;
+    `save` writes it. Above it stands which pendulum it is.
 
     Raises
     ------
     InvalidInput
-        For an ensemble, for a path without a motion, and what `EnvelopeMotion` refuses where a
-        path is asked for.
+        For an ensemble and for what is neither, for a path without a motion or until a time that
+        is not positive and finite, for a title that is no text, and for what `EnvelopeMotion`
+        refuses where a path is asked for.
     """
+    way_out = "write kp.RealMotion(pendulum, launch, forces)"
+    require_type("What is drawn", given, Portrait, RealMotion, EnvelopeMotion, way_out=way_out)
+    if until is not None and not 0 < _ink.one_number("until", until, "s") < math.inf:
+        raise InvalidInput(
+            f"A path can be followed for a time that is positive and finite, but it is until "
+            f"{until:.6g} s; give the seconds from the launch on."
+        )
     if isinstance(given, Portrait):
         if until is not None:
             raise InvalidInput(
@@ -94,17 +99,14 @@ def portrait(
         found, motion = Portrait.of(given), given
     style: dict[RcKeyType, Any] = {**_ink.STYLE, "hatch.color": "#c9a9a3", "hatch.linewidth": 0.6}
     with mpl.rc_context(style):
-        engine = ConstrainedLayoutEngine(w_pad=0.12, h_pad=0.1)
-        figure = Figure(figsize=(9.0, 7.2), layout=engine, dpi=130)
-        FigureCanvasAgg(figure)
+        figure = _ink.blank(9.0, 7.2)
         axes = figure.subplots()
         handles = _draw_map(axes, found)
         if motion is not None and until is not None:
             handles.append(_draw_path(axes, found, motion, until))
         figure.legend(handles=handles, loc="outside lower center", ncols=3, frameon=False)
         _label(axes, found)
-        if title:
-            figure.suptitle(title[:1].upper() + title[1:], fontsize=13, color=_ink.TEXT)
+        _ink.entitle(figure, _ink.naming(title, found.pendulum, found.a, found.b), 80)
     return figure
 
 
@@ -120,7 +122,8 @@ def _draw_map(axes: Axes, found: Portrait) -> list[Artist]:
     axes.set_xlim(left, right)
     azimuth = np.linspace(left, right, _COLUMNS)
     rows = linear * np.sinh(np.linspace(-1, 1, _ROWS) * math.asinh(circle / linear))
-    b = np.clip(rows, -circle * (1 - 1e-12), circle * (1 - 1e-12))
+    # At the circles themselves no plane turns; their rows are tinted like the next ones.
+    b = np.clip(rows, rows[1], rows[-2])
     circularity = np.sin(2 * np.arcsin(b / size))
     longitude = 2 * (np.radians(azimuth) - found.axis)
     handles = _tint(axes, found, azimuth, rows, found.mean_rate(circularity[:, None], longitude))
@@ -147,7 +150,7 @@ def _draw_map(axes: Axes, found: Portrait) -> list[Artist]:
     axes.xaxis.set_major_locator(MultipleLocator(30))
     axes.set(
         xlabel="azimuth of the plane (°), counter-clockwise from x",
-        ylabel=f"width of the ellipse b ({ruler.symbol}), + counter-clockwise",
+        ylabel=f"half-width of the ellipse b ({ruler.symbol}), + counter-clockwise",
     )
     return handles
 
@@ -243,5 +246,5 @@ def _label(axes: Axes, found: Portrait) -> None:
         said = "stays as it is"
     else:
         west, east = (minus(f"{math.degrees(edge):.1f}°") for edge in orbit.azimuths)
-        said = f"swings to and fro between {west} and {east} {time}"
-    axes.set_title(f"Without drag and drive the plane {said}")
+        said = f"swings to and fro between {west} and {east}, once {time}"
+    axes.set_title(textwrap.fill(f"Without drag and drive the plane {said}", 72))

@@ -4,7 +4,7 @@
 # pyright: reportUnknownMemberType=false
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.patches import Patch
@@ -21,15 +21,20 @@ if TYPE_CHECKING:
     from kugelpendel.motion import PrecessionBudget
     from kugelpendel.spelling import Unit
 
-# Apart in hue and in lightness, and from the shades behind them.
-_COLOURS = {
-    "intrinsic": "#2a6f97",
-    "anisotropy": "#3b7d4f",
-    "damping": "#b8443a",
-    "drive": "#6a4c93",
-}
+_Stroke = str | tuple[int, tuple[float, ...]]
 
-_SHADES = {"hurries": "#dceaf3", "lags": "#f7eec8", "stalls": "#f0c9c2"}
+_STROKES: dict[str, tuple[str, _Stroke]] = {
+    "intrinsic": ("#2a6f97", "-"),
+    "anisotropy": ("#c07f10", (0, (6, 1.5))),
+    "damping": ("#8f2d20", (0, (5, 1.5, 1, 1.5))),
+    "drive": ("#9c7fd0", (0, (2.5, 1.2))),
+}
+"""Colour and dashes of each cause: apart in hue and in lightness, and where there is neither."""
+
+_SHADES = {"hurries": ("#dceaf3", ""), "lags": ("#f7eec8", ".."), "stalls": ("#f0c9c2", "//")}
+"""Tint of each pace, and its hatch for whoever sees no tint."""
+
+_HATCH = "#d9cdb8"
 
 _NEGLIGIBLE = 1e-6
 """A share that never reaches this fraction of the largest one has no line."""
@@ -62,23 +67,32 @@ def draw_rates(axes: Axes, shares: PrecessionBudget | None, clock: Unit) -> None
     beyond = shares.beyond_earth
     unit = rate_unit(float(np.abs(beyond).max()))
     handles: list[Artist] = []
-    for pace, shade in _SHADES.items():
+    for pace, (tint, hatch) in _SHADES.items():
+        look: dict[str, Any] = {
+            "facecolor": tint, "hatch": hatch, "edgecolor": _HATCH, "linewidth": 0,
+        }  # fmt: skip
         here = [stretch for stretch in shares.stretches() if stretch.pace == pace]
         for stretch in here:
-            axes.axvspan(
-                stretch.start / clock.size, stretch.stop / clock.size, color=shade, linewidth=0
-            )
+            axes.axvspan(stretch.start / clock.size, stretch.stop / clock.size, **look)
         if here:
-            handles.append(Patch(color=shade, label=pace))
+            handles.append(Patch(**look, label=pace))
     lines = _lines(shares)
     largest = max(float(np.abs(share).max()) for _, share, _ in lines)
-    for name, share, colour in lines:
+    ends: list[tuple[float, str, str]] = []
+    for name, share, (colour, dashes) in lines:
         if np.abs(share).max() > _NEGLIGIBLE * largest:
-            handles += axes.plot(time, share / unit.size, color=colour, linewidth=1.3, label=name)
-    handles += axes.plot(time, beyond / unit.size, color=_ink.TEXT, linewidth=2.0, label="together")
-    axes.axhline(0, color=_ink.OUTER, linestyle="--", linewidth=1.2, zorder=1)
+            handles += axes.plot(
+                time, share / unit.size, color=colour, linestyle=dashes, linewidth=1.5, label=name
+            )
+            ends.append((float(share[-1]) / unit.size, name.partition(" (")[0], colour))
+    handles += axes.plot(time, beyond / unit.size, color=_ink.TEXT, linewidth=2.2, label="together")
+    ends.append((float(beyond[-1]) / unit.size, "together", _ink.TEXT))
+    axes.axhline(0, color=_ink.QUIET, linewidth=0.9, zorder=1)
     low, high = _limits([line / unit.size for line in (*(share for _, share, _ in lines), beyond)])
     axes.set_ylim(low, high)
+    heights = [(min(max(end, low), high) - low) / (high - low) for end, _, _ in ends]
+    named = [(1.0, height, *end[1:]) for height, end in zip(heights, ends, strict=True)]
+    _ink.name_ends(axes, named, size=9)
     earth = float(shares.earth[0])
     if earth and low < -earth / unit.size < high:
         handles.append(
@@ -102,19 +116,22 @@ def draw_rates(axes: Axes, shares: PrecessionBudget | None, clock: Unit) -> None
         bbox_to_anchor=(0.5, -0.17),
         ncols=min(len(handles), 4),
         frameon=False,
+        handlelength=3,
     )
 
 
-def _lines(shares: PrecessionBudget) -> list[tuple[str, NDArray[np.float64], str]]:
-    """What is drawn beside the sum: name, share and colour; as one what all but cancels."""
-    lines = [(cause, getattr(shares, cause), colour) for cause, colour in _COLOURS.items()]
+def _lines(
+    shares: PrecessionBudget,
+) -> list[tuple[str, NDArray[np.float64], tuple[str, _Stroke]]]:
+    """What is drawn beside the sum: name, share and stroke; as one what all but cancels."""
+    lines = [(cause, getattr(shares, cause), stroke) for cause, stroke in _STROKES.items()]
     both = shares.intrinsic + shares.drive
     size = float(np.abs(shares.intrinsic).max())
     if not np.any(shares.drive) or float(np.abs(both).max()) > _CANCELLED * size:
         return lines
     name = f"intrinsic and drive (each up to {spell_rate(size, 3).lstrip('+')})"
     rest = [line for line in lines if line[0] not in ("intrinsic", "drive")]
-    return [(name, both, _COLOURS["drive"]), *rest]
+    return [(name, both, _STROKES["drive"]), *rest]
 
 
 def _limits(lines: list[NDArray[np.float64]]) -> tuple[float, float]:

@@ -10,7 +10,8 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
-from kugelpendel.observables import LEVELS
+from kugelpendel.observables import LEVELS, ValidityMap
+from kugelpendel.parameters import InvalidInput, as_numbers, require_type
 from kugelpendel.plot import _ink
 
 if TYPE_CHECKING:
@@ -18,11 +19,13 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from kugelpendel import ValidityMap
     from kugelpendel.parameters import Scalars
 
 _FLOOR = 1e-16
 """Errors of less than that are rounding."""
+
+_MARGIN = 0.08
+"""A line that is nearer to the left edge of a small map than this has no label."""
 
 # From good to bad, light enough for the lines and labels on them.
 _BANDS = ("#dceaf3", "#d3e8d6", "#f7eec8", "#f5d3ac", "#e8ab9f")
@@ -46,7 +49,15 @@ def validity(
     -------
     A figure of matplotlib without a window or a global state, which a notebook shows at once;
     `save` writes it.
+
+    Raises
+    ------
+    InvalidInput
+        For what is no map, a mark that is not two numbers within it, and a name that is no text.
     """
+    require_type("What is drawn", errors, ValidityMap, way_out="write kp.validity_map()")
+    if mark is not None:
+        _check(mark)
     series = errors.errors.series
     with mpl.rc_context(_ink.STYLE):
         figure = _ink.blank(12.5, 10.5, w_pad=0.06, h_pad=0.08)
@@ -69,13 +80,24 @@ def validity(
                 _name_rows(axes, column)
                 if line:
                     axes.set_xlabel("a/l")
-        figure.suptitle(
+        _ink.entitle(
+            figure,
             "How good are the formulas for small ellipses?  "
             "Relative errors; a, b: turning radii, l: length",
-            fontsize=13,
-            color=_ink.TEXT,
+            110,
         )
     return figure
+
+
+def _check(mark: tuple[float, float]) -> None:
+    """Raise InvalidInput for a mark that does not lie on the map."""
+    numbers = np.atleast_1d(as_numbers(mark, "mark", ""))
+    if numbers.shape == (2,) and 0 < numbers[0] < 1 and 0 <= numbers[1] <= 1:
+        return
+    raise InvalidInput(
+        f"A mark is a pair of a/l between 0 and 1 and b/a from 0 to 1, but it is {mark!r:.60}; "
+        f"write mark=(a / l, b / a)."
+    )
 
 
 def _name_rows(axes: Axes, column: int) -> None:
@@ -134,6 +156,7 @@ def _draw(
                 (8, 8),
                 textcoords="offset points",
                 color=_ink.OUTER,
+                parse_math=False,
                 bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 1.5},
             )
 
@@ -152,6 +175,7 @@ def _places(
         for height in (0.5, 0.88) if large else (0.2 + 0.2 * k,):
             row = round((len(up) - 1) * height)
             beyond = np.flatnonzero(digits[row] >= level)
-            if beyond.size and 0 < beyond[0] < 0.97 * len(across):
+            margin = 0 if large else _MARGIN * len(across)
+            if beyond.size and margin < beyond[0] < 0.97 * len(across):
                 found.append((float(across[beyond[0]]), float(up[row])))
     return found

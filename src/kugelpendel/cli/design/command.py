@@ -47,7 +47,7 @@ def design(file: Path, folder: Path | None, as_json: bool, checked: bool) -> Non
         found = _answered(questions, checked)
     target = folder if folder is not None else Path("out") / questions.file.stem
     results = _as_json(questions, found)
-    title = questions.file.stem.replace("-", " ")
+    title = questions.file.stem.replace("-", " ").replace("_", " ")
     drawn = (FIGURE, PORTRAIT) if "turning_by_anisotropy" in found else (FIGURE,)
     with staged(target, (FIGURE, PORTRAIT, RESULTS), (*drawn, RESULTS)) as temporary:
         plot.save(plot.design(found, title), temporary / FIGURE)
