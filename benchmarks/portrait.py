@@ -47,7 +47,7 @@ def draw(random: np.random.Generator) -> Drawn:
     x, y, _ = still.position(0.0)
     vx, vy, _ = still.velocity(0.0)
     launch = kp.Launch.plane(x, y, vx + earth * y, vy - earth * x)
-    portrait = kp.Portrait(pendulum, a, b, azimuth, site, suspension)
+    portrait = kp.Portrait(pendulum, a, b, azimuth, kp.Forces(site=site, suspension=suspension))
     return Drawn(pendulum, site, suspension, launch, portrait)
 
 
@@ -70,7 +70,7 @@ def main() -> None:
     counts = dict.fromkeys(("round", "to and fro", "stands"), 0)
     agree = {False: 0, True: 0}
     asked = {False: 0, True: 0}
-    apart = {False: 0.0, True: 0.0}
+    apart: dict[bool, list[float]] = {False: [], True: []}
     for index in range(COUNT):
         drawn = draw(random)
         orbit = drawn.portrait.orbit
@@ -85,13 +85,14 @@ def main() -> None:
             agree[full] += same
             if same:
                 off = abs(rate - orbit.rate) / abs(float(drawn.site.vertical_rotation))
-                apart[full] = max(apart[full], off)
+                apart[full].append(off)
             else:
                 print(drawn.portrait, orbit, rate)
     print(f"{COUNT} pendulums, seed {SEED}: {counts}")
     for full, name in ((False, "averaged motion has"), (True, "full equations have")):
         print(f"as the {name} it: {agree[full]} of {asked[full]}; "
-              f"mean rates within {apart[full]:.1e} |Ω_z|")  # fmt: skip
+              f"mean rates within {np.quantile(apart[full], 0.99):.1e} |Ω_z| in 99 of 100, "
+              f"{max(apart[full]):.1e} at most")  # fmt: skip
 
 
 if __name__ == "__main__":
