@@ -257,7 +257,9 @@ def draw(path: Path) -> None:
             hours, speed, "o", color=TEXT, markersize=3.5, label="full equations, hour by hour"
         )
         ideal = abs(hourly(float(FOUND.site.vertical_rotation)))
-        axes.axhline(ideal, color=OUTER, linestyle="--", linewidth=1.3, label="Ω_E sin(latitude)")
+        axes.axhline(
+            ideal, color=OUTER, linestyle="--", linewidth=1.3, label=r"$Ω_\mathrm{E}$ sin(latitude)"
+        )
         for level in (9.5, 11.0):
             axes.axhline(level, color=QUIET, linestyle=":", linewidth=1.2)
         axes.plot([], [], ":", color=QUIET, label="range published for Guelph")

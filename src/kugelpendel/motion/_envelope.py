@@ -31,6 +31,12 @@ The mean motion is then off by 1e-3 … 2e-2 of the amplitude within 100 swings 
 to 0.13 of it at 0.3 l (benchmarks/envelope.py).
 """
 
+_FAR = 5.0
+"""Degrees that the azimuth may be off within a day: beyond, a warning.
+
+Not under a drive, whose bound is up to a hundred times what is measured (docs/real.md).
+"""
+
 _FORCES = (
     "linear drag",
     "quadratic drag",
@@ -68,7 +74,8 @@ class EnvelopeMotion(ForcedMotion):
     -----
     UserWarning
         Where a force changes a swing by more than a hundredth of itself: with the error, measured
-        against `RealMotion` over 100 swings.
+        against `RealMotion` over 100 swings. Else where, without a drive, the azimuth may be off by
+        more than 5° within a day.
 
     Notes
     -----
@@ -95,6 +102,12 @@ class EnvelopeMotion(ForcedMotion):
         name, strength = self._strongest
         if strength > _WARN:
             warnings.warn(self._caution(name, strength), stacklevel=2)
+        elif self.drive is None and (off := degrees(self._motions.azimuth_error(_DAY))) > _FAR:
+            warnings.warn(
+                f"On swings as wide as this the averaged azimuth may be off by {off:.2g}° within "
+                f"24 h. Use RealMotion, or smaller swings.",
+                stacklevel=2,
+            )
 
     def _arguments(self) -> dict[str, Any]:
         other = {} if self._exact else {"exact": False}

@@ -16,7 +16,11 @@ use std::f64::consts::TAU;
 /// Of each force's strength ε, in the order of [`EnvelopeMotion::strengths`]: what wavers, in ε; what grows with time like
 /// ε (a/l)⁴; what grows with time like ε².
 const BOUNDS: [[f64; 3]; CAUSES] =
-    [[0.5, 0.0, 0.5], [0.5, 0.0, 0.5], [1.0, 0.015, 0.5], [1.0, 0.09, 1.0], [0.5, 0.003, 4.0]];
+    [[1.0, 0.0, 1.0], [1.0, 0.0, 1.0], [2.0, 0.06, 1.0], [2.0, 0.18, 4.0], [1.0, 0.006, 8.0]];
+
+/// Of quadratic drag in air that turns with the ground: what is left out widens the ellipse at a share of ε Ω_z, and the
+/// intrinsic precession, which goes like (a/l)², makes an angle of it.
+const WIND: f64 = 0.06;
 
 /// Of the horizontal rotation Ω_h/ω0: what wavers, in Ω_h a/l; what grows like Ω_h² with the time, with the time that the
 /// plane takes to turn, and with (a/l)⁴(1 + 7(a/l)⁸): in second order it works like an uneven clamp.
@@ -38,7 +42,8 @@ impl AveragedEquations {
         let [sway, turn] = [self.sway.abs(), self.turn.abs()];
         let turning = if turn * time > 1.0 { 1.0 / turn } else { time };
         let size = a.powi(4) * (1.0 + 7.0 * a.powi(8));
-        forces.sum::<f64>() + sway * (SWAY[0] * a + SWAY[1] * sway * size * turning * wide)
+        let wind = WIND * turn * a * a * time * (quadratic * time).min(1.0);
+        forces.sum::<f64>() + wind + sway * (SWAY[0] * a + SWAY[1] * sway * size * turning * wide)
     }
 }
 
