@@ -34,7 +34,7 @@ to 0.13 of it at 0.3 l (benchmarks/envelope.py).
 _FAR = 5.0
 """Degrees that the azimuth may be off within a day: beyond, a warning.
 
-Not under a drive, whose bound is up to a hundred times what is measured (docs/real.md).
+Not under a drive, whose bound is up to some hundreds of times what is measured (docs/real.md).
 """
 
 _FORCES = (
