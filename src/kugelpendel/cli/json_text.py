@@ -7,8 +7,8 @@ import math
 from typing import Any, cast
 
 
-def json_text(tables: dict[str, Any]) -> str:
-    """The tables as indented JSON with a newline at the end.
+def json_text(tables: dict[str, Any] | list[Any]) -> str:
+    """Write tables, or a list of them, as indented JSON with a newline at the end.
 
     What is infinite or not a number becomes null, wherever it stands; the first key of a file of
     this package, "about", says what null means in it. Numbers of NumPy become those of Python.

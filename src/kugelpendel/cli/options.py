@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import shutil
 import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
@@ -11,6 +12,11 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from kugelpendel.cli.job_file.schema import FileSchema
+
+
+_NARROWEST = 50
+_WIDEST = 78
+"""Columns of what argparse leaves as it is in a help; the rest is as wide as the terminal."""
 
 
 class CommandParser(argparse.ArgumentParser):
@@ -89,11 +95,12 @@ def takes_a_file(parser: argparse.ArgumentParser, schema: FileSchema, what: str)
     from kugelpendel.cli.job_file.schema_text import example, listing
 
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.description = textwrap.fill(parser.description or "", 78)
+    width = min(max(shutil.get_terminal_size().columns - 2, _NARROWEST), _WIDEST)
+    parser.description = textwrap.fill(parser.description or "", width)
     indented = example(schema).replace("\n", "\n  ").replace("\n  \n", "\n\n").rstrip()
+    head = "What a file may say; quantities have a unit or are plain SI numbers:"
     parser.epilog = (
-        "What a file may say; quantities have a unit or are plain SI numbers:\n\n"
-        f"{listing(schema)}\n\n"
+        f"{textwrap.fill(head, width)}\n\n{listing(schema, width)}\n\n"
         f"A file looks like this:\n\n  {indented}\n"
     )
     parser.add_argument(

@@ -36,12 +36,15 @@ def test_every_key_stands_on_a_page(repository: Path) -> None:
             assert re.search(rf"^\|.*`{key.name}`.*\|$", pages, re.MULTILINE), key
 
 
+@pytest.mark.parametrize("width", [50, 78])
 @pytest.mark.parametrize("file", FILES)
-def test_the_help_lists_every_key(file: schema.FileSchema) -> None:
+def test_the_help_lists_every_key(file: schema.FileSchema, width: int) -> None:
+    listed = listing(file, width)
+    assert all(len(line) <= width for line in listed.splitlines())
     for section in file.sections:
-        assert re.search(rf"^  {section.name} ", listing(file), re.MULTILINE)
+        assert re.search(rf"^  {section.name} ", listed, re.MULTILINE)
         for key in section.keys:
-            assert re.search(rf"\b{key.name}\b", listing(file)), key
+            assert re.search(rf"\b{key.name}\b", listed), key
 
 
 @pytest.mark.parametrize("name", SECTIONS)

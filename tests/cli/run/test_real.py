@@ -125,11 +125,22 @@ def test_report_names_forces_rates_and_causes(call, write) -> None:
         r"^Rate of the plane +−1\d\.\d+ °/h +mean over 9\.\d+ min$",
         r"^Amplitude a +80\.00 cm → 71\.\d\d cm ",
         r"^Tension +\d+\.\d+ to \d+\.\d+ N +the thread never goes slack$",
-        r"^earth( +−11\.853){5}$",
-        r"^sum( +−1\d\.\d{3}){5}$",
+        r"^ earth( +−11\.853){5}$",
+        r"^ sum( +−1\d\.\d{3}){5}$",
         r"track\.csv \(601 samples\), results\.json$",
     ):
         assert re.search(line, said, re.MULTILINE), line
+
+
+@pytest.mark.parametrize("columns", [60, 80])
+@pytest.mark.parametrize("real", [False, True])
+def test_a_report_keeps_to_the_width(
+    call, write, monkeypatch: pytest.MonkeyPatch, columns: int, real: bool
+) -> None:
+    monkeypatch.setenv("COLUMNS", str(columns))
+    said, _, _files = call("run", write(**(REAL if real else {}))).out.rpartition("\n\n")
+    assert max(map(len, said.splitlines())) <= columns
+    assert "…" not in said
 
 
 @pytest.mark.parametrize(

@@ -23,9 +23,9 @@ def add(commands: Commands) -> None:
 
 
 def _arguments(parser: argparse.ArgumentParser) -> None:
-    from kugelpendel.cli.job_file.schema import JOB
+    from kugelpendel.cli.job_file.schema import IDEAL_JOB
 
-    takes_a_file(parser, JOB, "the job, without forces")
+    takes_a_file(parser, IDEAL_JOB, "the job, without forces")
     parser.set_defaults(do=_compare, extra="run")
 
 

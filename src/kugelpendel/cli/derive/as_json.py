@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from kugelpendel import paper
+from kugelpendel.cli.json_text import json_text
 from kugelpendel.paper.document.prose import sentence
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ def misprints(language: str) -> str:
         The language of each "explanation"; formulas are LaTeX, and what the paper prints is German.
     """
     words = paper.words(language)
-    return _json([_misprint(one, words) for one in paper.MISPRINTS])
+    return json_text([_misprint(one, words) for one in paper.MISPRINTS])
 
 
 def _misprint(one: paper.Misprint, words: paper.Words) -> dict[str, Any]:
@@ -35,8 +35,4 @@ def _misprint(one: paper.Misprint, words: paper.Words) -> dict[str, Any]:
 def proofs(rows: Sequence[paper.Row]) -> str:
     """Write what a check found for each formula, and whether everything holds."""
     formulas = [{**asdict(row), "mutants": row.mutants, "holds": row.holds} for row in rows]
-    return _json({"holds": bool(rows) and all(row.holds for row in rows), "formulas": formulas})
-
-
-def _json(tables: object) -> str:
-    return json.dumps(tables, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    return json_text({"holds": bool(rows) and all(row.holds for row in rows), "formulas": formulas})

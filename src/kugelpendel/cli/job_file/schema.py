@@ -348,6 +348,9 @@ JOB = FileSchema(
     },
 )
 
+IDEAL_JOB = FileSchema((PENDULUM, LAUNCH, OUTPUT), JOB.example)
+"""A job that nothing but gravity acts on."""
+
 DESIGN = FileSchema(
     (PENDULUM, SWING, *FORCES, WIRE, QUESTIONS),
     {

@@ -16,9 +16,8 @@ if TYPE_CHECKING:
 _COLUMN = 23
 """Of the remarks in an example."""
 
-_WIDTH = 78
 _NAME = 12
-"""Columns of the list for the help, and of the names in it."""
+"""Columns of the names in the list for the help."""
 
 
 def example(schema: FileSchema) -> str:
@@ -34,20 +33,21 @@ def example(schema: FileSchema) -> str:
     return "\n".join(parts)
 
 
-def listing(schema: FileSchema) -> str:
-    """List the tables and their keys for the help."""
+def listing(schema: FileSchema, width: int) -> str:
+    """List the tables and their keys for the help, in so many columns."""
     lines: list[str] = []
     for needed in (True, False):
-        for section in (one for one in schema.sections if one.needed is needed):
+        sections = [section for section in schema.sections if section.needed is needed]
+        if sections and not needed:
+            lines.append("\nand where they are wanted:\n")
+        for section in sections:
             start = f"  {section.name:<{_NAME}}"
             ways = [f'kind = "{way.word}", {", ".join(way.keys)}' for way in section.ways]
             for line in ways or [", ".join(_listed(section))]:
                 lines += textwrap.wrap(
-                    line, _WIDTH, initial_indent=start, subsequent_indent=" " * len(start)
+                    line, width, initial_indent=start, subsequent_indent=" " * len(start)
                 )
                 start = " " * len(start)
-        if needed:
-            lines.append("\nand where they are wanted:\n")
     return "\n".join(lines)
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from kugelpendel.cli.terminal.tables import numbers
 from kugelpendel.motion import CAUSES
 from kugelpendel.spelling import minus, rate_unit, significant, spell
 
@@ -26,14 +27,13 @@ _LISTED = 4
 """Stretches that are told one by one."""
 
 
-def shares_table(shares: PrecessionBudget) -> list[str]:
-    """Mean, least and most of each share, and what it is where the plane is slowest and fastest."""
+def shares_table(shares: PrecessionBudget) -> str:
+    """Set mean, least and most of each share, and its values where the plane is slow and fast."""
     total = shares.total
     unit = rate_unit(float(np.abs(total).max()))
     way = math.copysign(1.0, float(shares.earth.mean()) or float(total.mean()) or 1.0)
     slow, fast = int(np.argmin(way * total)), int(np.argmax(way * total))
-    head = (f"Rate, {unit.symbol}", "mean", "least", "most", "slowest", "fastest")
-    rows: list[tuple[str, ...]] = [head]
+    rows: list[tuple[str, ...]] = []
     for name, share in (*((cause, getattr(shares, cause)) for cause in CAUSES), ("sum", total)):
         if name != "earth" and not np.any(share):
             continue
@@ -43,7 +43,8 @@ def shares_table(shares: PrecessionBudget) -> list[str]:
     where = (f"{_folded(float(shares.azimuth[at])):.0f}°" for at in (slow, fast))
     rows.append(("  at the time", "", "", "", *when))
     rows.append(("  at the azimuth", "", "", "", *map(minus, where)))
-    return [f"{row[0]:<17}" + "".join(f"{cell:>12}" for cell in row[1:]) for row in rows]
+    head = (f"Rate, {unit.symbol}", "mean", "least", "most", "slowest", "fastest")
+    return numbers(head, rows)
 
 
 def describe_pace(shares: PrecessionBudget, ideal: float) -> list[str]:

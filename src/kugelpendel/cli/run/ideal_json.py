@@ -60,11 +60,6 @@ def as_json(job: Job, summary: IdealSummary, files: Sequence[str]) -> str:
             "files": list(files),
         },
     }
-    return to_json(tables)
-
-
-def to_json(tables: dict[str, Any]) -> str:
-    """The tables as JSON text, with null in place of what is not finite."""
     return json_text(tables)
 
 

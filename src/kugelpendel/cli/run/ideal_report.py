@@ -6,7 +6,8 @@ import math
 from typing import TYPE_CHECKING
 
 from kugelpendel.cli.terminal.describe import describe_launch, describe_pendulum
-from kugelpendel.spelling import degrees, significant, spell, spell_percent, spell_rate
+from kugelpendel.cli.terminal.tables import facts
+from kugelpendel.spelling import degrees, general, significant, spell, spell_percent, spell_rate
 
 if TYPE_CHECKING:
     from kugelpendel import IdealSummary
@@ -35,14 +36,14 @@ def report(job: Job, summary: IdealSummary) -> str:
         *_extent(summary),
         *_tension(job, summary),
     ]
-    lines = [
-        f"{'Pendulum':<19}{describe_pendulum(job.pendulum, job.has_mass)}",
-        f"{'Launch':<19}{describe_launch(job)}",
-        f"{'Motion':<19}{_motion(summary)}",
-        "",
-        *(f"{name:<19}{value:<21}  {meaning}".rstrip() for name, value, meaning in rows),
-    ]
-    return "\n".join(lines)
+    start = facts(
+        (
+            ("Pendulum", describe_pendulum(job.pendulum, job.has_mass)),
+            ("Launch", describe_launch(job)),
+            ("Motion", _motion(summary)),
+        )
+    )
+    return f"{start}\n\n{facts(rows)}"
 
 
 def why_no_25(summary: IdealSummary) -> str:
@@ -97,7 +98,7 @@ def _periods(job: Job, summary: IdealSummary) -> list[_Row]:
     if summary.regime == "cone":
         apart = "of a slight wobble about the cone"
     rows.append(("Radial period", spell(float(summary.motion.radial_period), "s", 7), apart))
-    rows.append(("Frequency ω", f"{summary.frequency:.7g} rad/s", "exact"))
+    rows.append(("Frequency ω", f"{general(summary.frequency, 7)} rad/s", "exact"))
     return rows
 
 

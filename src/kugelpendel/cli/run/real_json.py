@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kugelpendel.cli.json_text import json_text
 from kugelpendel.cli.run.clamp import clamp_notes
-from kugelpendel.cli.run.ideal_json import describe_start, to_json
+from kugelpendel.cli.run.ideal_json import describe_start
 from kugelpendel.motion import CAUSES
 
 if TYPE_CHECKING:
@@ -74,7 +75,7 @@ def real_json(job: Job, found: RealResults, files: Sequence[str]) -> str:
             "files": list(files),
         },
     }
-    return to_json(tables)
+    return json_text(tables)
 
 
 def _forces(acting: kp.Forces) -> dict[str, Any]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import textwrap
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,15 +11,13 @@ from kugelpendel.cli.run.budget import describe_pace, shares_table
 from kugelpendel.cli.run.clamp import clamp_notes, describe_clamp
 from kugelpendel.cli.terminal.describe import describe_launch, describe_pendulum
 from kugelpendel.cli.terminal.describe_forces import describe_forces
+from kugelpendel.cli.terminal.tables import facts, paragraph
 from kugelpendel.spelling import minus, significant, spell, spell_percent, spell_rate
 
 if TYPE_CHECKING:
     from kugelpendel.cli.job_file.job import Job
     from kugelpendel.cli.run.real import RealResults
     from kugelpendel.observables import RealSummary
-
-_WIDTH = 96
-"""Of a sentence on the terminal: that of the table and what stands beside numbers."""
 
 _Row = tuple[str, str, str]
 """Name, value with its unit, and what the value means."""
@@ -31,17 +28,17 @@ def real_report(job: Job, found: RealResults) -> str:
     seen = found.summary
     plane = _plane(seen) if seen.revolutions is None else _round(seen)
     rows = [*_periods(seen), *plane, *_size(seen), _tension(job, seen)]
-    lines = [
-        f"{'Pendulum':<19}{describe_pendulum(job.pendulum, job.has_mass)}",
-        f"{'Launch':<19}{describe_launch(job)}",
-        *(f"{name:<19}{text}" for name, text in describe_forces(job.pendulum, job.forces)),
-        "",
-        *(f"{name:<19}{value:<21}  {meaning}".rstrip() for name, value, meaning in rows),
-        "",
-        *_why(job, found),
-    ]
-    ending = _ending(job, found)
-    return "\n".join([*lines, "", ending] if ending else lines)
+    start = facts(
+        (
+            ("Pendulum", describe_pendulum(job.pendulum, job.has_mass)),
+            ("Launch", describe_launch(job)),
+            *describe_forces(job.pendulum, job.forces),
+        )
+    )
+    parts = [start, facts(rows), _why(job, found)]
+    if ending := _ending(job, found):
+        parts.append(paragraph(ending))
+    return "\n\n".join(parts)
 
 
 def _periods(seen: RealSummary) -> list[_Row]:
@@ -132,15 +129,17 @@ def _turned(seen: RealSummary) -> float:
     return float(azimuth[-1] - azimuth[0])
 
 
-def _why(job: Job, found: RealResults) -> list[str]:
+def _why(job: Job, found: RealResults) -> str:
     told = found.explanation
     if found.summary.revolutions is not None:
-        return ["What turns a plane is not asked of a circle; give the launch another b for that."]
+        return paragraph(
+            "What turns a plane is not asked of a circle; give the launch another b for that."
+        )
     if told.shares is None:
         says = f"What turns the plane cannot be told apart: {told.why_not.rstrip('.')}."
-        return [textwrap.fill(says, _WIDTH)]
+        return paragraph(says)
     if not np.any(told.shares.total):
-        return ["The plane does not turn: nothing turns it."]
+        return "The plane does not turn: nothing turns it."
     apart = spell(abs(told.apart), "rad", 2)
     sentences = [
         *describe_pace(told.shares, found.summary.foucault_rate),
@@ -149,8 +148,8 @@ def _why(job: Job, found: RealResults) -> list[str]:
         f"{apart} from that of the full ones.",
         told.caution,
     ]
-    table = shares_table(told.shares)
-    return [*table, "", *(textwrap.fill(each, _WIDTH) for each in sentences if each)]
+    said = "\n".join(paragraph(sentence) for sentence in sentences if sentence)
+    return f"{shares_table(told.shares)}\n\n{said}"
 
 
 def _ending(job: Job, found: RealResults) -> str:
