@@ -185,3 +185,17 @@ def test_numbers_are_written_in_full_where_the_exact_motion_takes_them_so() -> N
     for value, text in seen.items():
         error = kp.InvalidInput.of("ellipse_negative", a=(value, "m"))
         assert f"but it is {text} m;" in str(error)
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "wind.speed must be finite, but it is nan m/s; give a number."),
+        ("de", "wind.speed muss endlich sein, ist aber nan m/s; eine Zahl angeben."),
+    ],
+)
+def test_a_quantity_without_a_spoken_name_keeps_that_of_the_core(
+    language: Language, said: str
+) -> None:
+    error = kp.InvalidInput.told(("not_finite", [("wind.speed", math.nan, "m/s")]))
+    assert error.sentence(language, "python") == said

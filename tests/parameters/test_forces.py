@@ -1,15 +1,18 @@
 """Everything that acts, as one object."""
 
 import copy
+import inspect
 import math
 import pickle
-from dataclasses import FrozenInstanceError
+from dataclasses import FrozenInstanceError, fields
 from typing import Any
 
 import numpy as np
 import pytest
 
 import kugelpendel as kp
+from kugelpendel.cli.job_file import schema
+from kugelpendel.parameters import FORCE_PARTS, ActedOn, ForceParts
 
 PARTS: dict[str, Any] = {
     "site": kp.Site(0.85),
@@ -150,3 +153,19 @@ def test_a_bad_case_of_a_part_is_kept() -> None:
     assert np.isnan(np.asarray(kp.Bob([0.1, -0.1], 8e3).mass)).tolist() == [0, 1]
     assert np.isnan(np.asarray(kp.Bob(1.0, 8e3).gravity_factor([2.0, 0.5]))).tolist() == [0, 1]
     assert np.isnan(np.asarray(kp.Suspension.from_periods([8.0, 0.0], 8.0).anisotropy))[1]
+
+
+def test_parts_are_listed_once_and_known_everywhere() -> None:
+    names = list(FORCE_PARTS)
+    assert names == [field.name for field in fields(kp.Forces)]
+    assert names == list(ForceParts.__annotations__)
+    assert names == [name for name, it in vars(ActedOn).items() if name in names and it is not None]
+    assert names == [section.name for section in schema.FORCES]
+    for name, part in FORCE_PARTS.items():
+        assert part.part == name
+        assert getattr(kp, part.__name__) is part
+        assert set(part.strengths) <= {*part.units, "rotation"}
+        for key in schema.JOB.section(name).keys:
+            argument = inspect.signature(part).parameters.get(key.name)
+            if argument is not None and key.default is not None:
+                assert argument.default == key.default, (name, key.name)

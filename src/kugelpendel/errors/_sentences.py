@@ -46,7 +46,7 @@ def sentence(kind: str, values: Sequence[Seen], language: Language, door: Door) 
         filled |= {"name": seen.name, "value": value, "unit": seen.unit}
         filled[seen.name.replace(".", "_")] = value
     if values:
-        filled |= _quantity(tables["quantities"], values[0], door)
+        filled |= _quantity(tables, values[0], door)
     return " ".join(entry.get(door, entry["python"]).format_map(filled).split())
 
 
@@ -58,10 +58,10 @@ def _spoken(text: str, tables: dict[str, Any]) -> str:
     return tables["launch"].format(name=name) if part == "launch" and name else text
 
 
-def _quantity(quantities: dict[str, dict[str, str]], seen: Seen, door: Door) -> dict[str, str]:
-    """Spoken name, value with its unit and way out of what has an entry of its own."""
-    entry = quantities.get(seen.name)
-    if entry is None or isinstance(seen.value, str):
+def _quantity(tables: dict[str, Any], seen: Seen, door: Door) -> dict[str, str]:
+    """Spoken name, value with its unit and way out; what has no entry keeps the core's name."""
+    entry = tables["quantities"].get(seen.name, {"name": seen.name, "python": tables["unnamed"]})
+    if isinstance(seen.value, str):
         return {}
     part = seen.name.rpartition(".")[0]
     shown = _in_full(seen.value) if part in _EXACT else f"{seen.value:.6g}"

@@ -9,17 +9,13 @@ import numpy as np
 from kugelpendel.motion._base import Motion
 from kugelpendel.motion._kept import kept
 from kugelpendel.parameters import (
-    Bob,
-    Drag,
-    Drive,
+    ActedOn,
     ForceParts,
     Forces,
     Launch,
     Numbers,
     Pendulum,
     Scalars,
-    Site,
-    Suspension,
     column,
     gathered,
     require_given,
@@ -27,7 +23,7 @@ from kugelpendel.parameters import (
 )
 
 
-class ForcedMotion(Motion):
+class ForcedMotion(ActedOn, Motion):
     """A pendulum under the forces that act on it."""
 
     _pendulum: Pendulum
@@ -62,31 +58,6 @@ class ForcedMotion(Motion):
     def forces(self) -> Forces:
         """Everything that acts beside gravity and the thread."""
         return self._forces
-
-    @property
-    def site(self) -> Site | None:
-        """Where it hangs; None for a ground that does not turn."""
-        return self._forces.site
-
-    @property
-    def drag(self) -> Drag | None:
-        """Of the air; None for a vacuum."""
-        return self._forces.drag
-
-    @property
-    def suspension(self) -> Suspension | None:
-        """None for a perfect one."""
-        return self._forces.suspension
-
-    @property
-    def bob(self) -> Bob | None:
-        """None for a point mass."""
-        return self._forces.bob
-
-    @property
-    def drive(self) -> Drive | None:
-        """None for a free pendulum."""
-        return self._forces.drive
 
     @kept
     def effective_pendulum(self) -> Pendulum:

@@ -4,11 +4,14 @@ from kugelpendel.errors import InvalidInput as InvalidInput
 from kugelpendel.parameters._bob import Bob as Bob
 from kugelpendel.parameters._drag import Drag as Drag
 from kugelpendel.parameters._drive import Drive as Drive
+from kugelpendel.parameters._forces import FORCE_PARTS as FORCE_PARTS
+from kugelpendel.parameters._forces import ActedOn as ActedOn
 from kugelpendel.parameters._forces import ForceParts as ForceParts
 from kugelpendel.parameters._forces import Forces as Forces
 from kugelpendel.parameters._forces import gathered as gathered
 from kugelpendel.parameters._forces import require_given as require_given
 from kugelpendel.parameters._forces import unfit_parts as unfit_parts
+from kugelpendel.parameters._given import Given as Given
 from kugelpendel.parameters._given import require_type as require_type
 from kugelpendel.parameters._launch import Launch as Launch
 from kugelpendel.parameters._numbers import Numbers as Numbers

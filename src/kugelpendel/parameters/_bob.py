@@ -47,6 +47,7 @@ class Bob(Given):
         "thread_mass": "kg",
         "air_density": "kg/m³",
     }
+    follows: ClassVar = {"mass": "kg"}
 
     def __init__(
         self,

@@ -43,6 +43,7 @@ class Drag(Given):
 
     part = "drag"
     units: ClassVar = {"linear": "1/s", "quadratic": "1/m"}
+    strengths = ("linear", "quadratic")
 
     def __init__(self, linear: ArrayLike = 0.0, quadratic: ArrayLike = 0.0):
         self._give("the linear and the quadratic drag", linear=linear, quadratic=quadratic)

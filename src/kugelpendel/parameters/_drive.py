@@ -42,6 +42,7 @@ class Drive(Given):
 
     part = "drive"
     units: ClassVar = {"push": "m/s", "phase": "rad", "radius": "m"}
+    strengths = ("push",)
 
     def __init__(
         self, push: ArrayLike, phase: ArrayLike | None = None, radius: ArrayLike | None = None

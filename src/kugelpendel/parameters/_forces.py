@@ -13,7 +13,7 @@ from kugelpendel.parameters._drag import Drag
 from kugelpendel.parameters._drive import Drive
 from kugelpendel.parameters._given import LONGEST, Given, require_type
 from kugelpendel.parameters._launch import Launch
-from kugelpendel.parameters._numbers import Numbers, Scalars
+from kugelpendel.parameters._numbers import Numbers
 from kugelpendel.parameters._pendulum import Pendulum
 from kugelpendel.parameters._site import Site
 from kugelpendel.parameters._suspension import Suspension
@@ -29,7 +29,14 @@ class ForceParts(TypedDict, total=False):
     drive: Drive | None
 
 
-_PARTS = {"site": Site, "drag": Drag, "suspension": Suspension, "bob": Bob, "drive": Drive}
+FORCE_PARTS: dict[str, type[Given]] = {
+    "site": Site,
+    "drag": Drag,
+    "suspension": Suspension,
+    "bob": Bob,
+    "drive": Drive,
+}
+"""What the parts of `Forces` are made of, in the order in which they are told."""
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -63,8 +70,8 @@ class Forces:
 
     def __post_init__(self) -> None:
         for name, part in self.parts.items():
-            way_out = f"write {name}=kp.{_PARTS[name].__name__}(…)"
-            require_type(name, part, _PARTS[name], way_out=way_out)
+            way_out = f"write {name}=kp.{FORCE_PARTS[name].__name__}(…)"
+            require_type(name, part, FORCE_PARTS[name], way_out=way_out)
         try:
             _ = self.shape
         except ValueError:
@@ -87,14 +94,8 @@ class Forces:
 
         A bob alone changes the gravity of the ideal pendulum, and nothing else.
         """
-        strengths: list[Scalars] = []
-        if self.drag is not None:
-            strengths += self.drag.values
-        if self.suspension is not None:
-            strengths += (self.suspension.anisotropy, self.suspension.damping_anisotropy)
-        if self.drive is not None:
-            strengths += (self.drive.push,)
-        return self.site is not None or any(np.any(np.asarray(s) != 0) for s in strengths)
+        strengths = (getattr(part, s) for part in self.parts.values() for s in part.strengths)
+        return any(np.any(np.asarray(strength) != 0) for strength in strengths)
 
     def effective_pendulum(self, pendulum: Pendulum) -> Pendulum:
         """The point mass that moves like this bob: its gravity takes in buoyancy and inertia.
@@ -119,6 +120,40 @@ class Forces:
     def __repr__(self) -> str:
         text = f"Forces({', '.join(f'{name}={part!r}' for name, part in self.parts.items())})"
         return text if len(text) <= LONGEST else f"{text[: LONGEST - 2]}…)"
+
+
+class ActedOn:
+    """What has `forces`, and each of their parts under its own name; None for what is not there."""
+
+    @property
+    def forces(self) -> Forces:
+        """Everything that acts beside gravity and the thread."""
+        raise NotImplementedError
+
+    @property
+    def site(self) -> Site | None:
+        """Where it hangs; None for a ground that does not turn."""
+        return self.forces.site
+
+    @property
+    def drag(self) -> Drag | None:
+        """Of the air; None for a vacuum."""
+        return self.forces.drag
+
+    @property
+    def suspension(self) -> Suspension | None:
+        """None for a perfect one."""
+        return self.forces.suspension
+
+    @property
+    def bob(self) -> Bob | None:
+        """None for a point mass."""
+        return self.forces.bob
+
+    @property
+    def drive(self) -> Drive | None:
+        """None for a free pendulum."""
+        return self.forces.drive
 
 
 def gathered(what: str, forces: Any, parts: ForceParts) -> Forces:

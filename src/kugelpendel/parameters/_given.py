@@ -39,6 +39,10 @@ class Given:
     """What the core calls it, as in "drag"."""
     units: ClassVar[dict[str, str]]
     """The SI unit of each of its numbers, under the names and in the order of the constructor."""
+    strengths: ClassVar[tuple[str, ...]] = ()
+    """The names of those without which it does nothing, where it is a force."""
+    follows: ClassVar[dict[str, str]] = {}
+    """The SI units of attributes that follow from its numbers and are told beside them."""
 
     def _give(self, names: str, *optional: str, **given: ArrayLike | None) -> None:
         """Keep the numbers.

@@ -57,6 +57,7 @@ class Site(Given):
 
     part = "site"
     units: ClassVar = {"latitude": "rad", "gravity": "m/s²", "height": "m"}
+    strengths = ("rotation",)
 
     def __init__(
         self, latitude: ArrayLike, gravity: ArrayLike | None = None, height: ArrayLike = 0.0

@@ -50,6 +50,7 @@ class Suspension(Given):
         "damping_anisotropy": "1/s",
         "damping_axis": "rad",
     }
+    strengths = ("anisotropy", "damping_anisotropy")
 
     def __init__(
         self,

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import kugelpendel as kp
 from kugelpendel.cli.job_file import schema
 from kugelpendel.cli.job_file.entries import Mistake
+from kugelpendel.parameters import FORCE_PARTS
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from kugelpendel.cli.job_file.entries import Entries
+    from kugelpendel.parameters import Given
 
 FORCES = tuple(section.name for section in schema.FORCES)
 """The tables that a file may have beside ``[pendulum]``."""
@@ -42,14 +44,15 @@ def read_forces(
     if bob is not None:
         with tables["bob"].at():
             bob.gravity_factor(pendulum.length)
-    forces = kp.Forces(
-        site=site,
-        drag=_drag(tables["drag"], pendulum, bob) if "drag" in present else None,
-        suspension=_suspension(tables["suspension"]) if "suspension" in present else None,
-        bob=bob,
-        drive=_drive(tables["drive"]) if "drive" in present else None,
-    )
-    return pendulum, "mass" in tables["pendulum"] or bob is not None, forces
+    parts: dict[str, Any] = {"site": site, "bob": bob}
+    if "drag" in present:
+        parts["drag"] = _drag(tables["drag"], pendulum, bob)
+    if "suspension" in present:
+        parts["suspension"] = _suspension(tables["suspension"])
+    for name in FORCES:
+        if name in present and name not in parts:
+            parts[name] = _by_its_keys(tables[name])
+    return pendulum, "mass" in tables["pendulum"] or bob is not None, kp.Forces(**parts)
 
 
 def _pendulum(table: Entries, site: kp.Site | None, bob: kp.Bob | None) -> kp.Pendulum:
@@ -136,8 +139,9 @@ def _bob(table: Entries) -> kp.Bob:
         )
 
 
-def _drive(table: Entries) -> kp.Drive:
+def _by_its_keys(table: Entries) -> Given:
+    """Make a part whose keys are the arguments of its class."""
+    make = FORCE_PARTS[table.section.name]
+    keys = (key for key in table.section.keys if key.needed or key.name in table)
     with table.at():
-        return kp.Drive(
-            push=table.number("push"), phase=table.given("phase"), radius=table.given("radius")
-        )
+        return make(**{key.name: table.number(key.name) for key in keys})

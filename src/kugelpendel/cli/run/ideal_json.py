@@ -5,24 +5,18 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from kugelpendel.cli.job_file.job import LAUNCHES
 from kugelpendel.cli.json_text import json_text
 from kugelpendel.cli.run.ideal_report import why_no_25
+from kugelpendel.parameters import Launch
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from kugelpendel import IdealSummary
     from kugelpendel.cli.job_file.job import Job
+    from kugelpendel.parameters import Given
 
 FILE = "results.json"
-
-_UNIT = {
-    **dict.fromkeys(("a", "b", "x", "y"), "m"),
-    **dict.fromkeys(("azimuth", "theta", "phi"), "rad"),
-    **dict.fromkeys(("vx", "vy"), "m_per_s"),
-    **dict.fromkeys(("theta_rate", "phi_rate"), "rad_per_s"),
-}
 
 
 def as_json(job: Job, summary: IdealSummary, files: Sequence[str]) -> str:
@@ -67,22 +61,29 @@ def describe_start(job: Job) -> dict[str, Any]:
     """The job's name, its pendulum and its launch."""
     return {
         "job": job.file.name,
-        "pendulum": {
-            "length_m": float(job.pendulum.length),
-            "gravity_m_per_s2": float(job.pendulum.gravity),
-            "mass_kg": float(job.pendulum.mass),
-        },
-        "launch": {"kind": job.launch.kind, **_launch(job, LAUNCHES[job.launch.kind])},
+        "pendulum": described(job.pendulum),
+        "launch": {"kind": job.launch.kind, **_launch(job.launch)},
     }
 
 
-def _launch(job: Job, arguments: Sequence[str]) -> dict[str, Any]:
-    values = [float(value) for value in job.launch.values]
-    if job.launch.kind == "state":
-        return {"position_m": values[:3], "velocity_m_per_s": values[3:]}
-    # at_rest names the first two of the values of angles.
-    named = zip(arguments, values, strict=False)
-    return {f"{name}_{_UNIT[name]}": value for name, value in named}
+def described(given: Given) -> dict[str, Any]:
+    """The numbers of what is given, and what follows from them, under names with their units."""
+    units = {**given.units, **given.follows}
+    return {_with_unit(name, unit): getattr(given, name) for name, unit in units.items()}
+
+
+def _launch(launch: Launch) -> dict[str, Any]:
+    if launch.kind == "state":
+        return {"position_m": launch.values[:3], "velocity_m_per_s": launch.values[3:]}
+    units = Launch.kinds[launch.kind].items()
+    named = zip(units, launch.values, strict=True)
+    return {_with_unit(name, unit): value for (name, unit), value in named}
+
+
+def _with_unit(name: str, unit: str) -> str:
+    """A name such as gravity_m_per_s2."""
+    spelled = unit.replace("²", "2").replace("³", "3").replace("1/", "per_").replace("/", "_per_")
+    return f"{name}_{spelled}".rstrip("_")
 
 
 def _motion(summary: IdealSummary) -> dict[str, Any]:

@@ -9,8 +9,9 @@ import numpy as np
 
 from kugelpendel.cli.json_text import json_text
 from kugelpendel.cli.run.clamp import clamp_notes
-from kugelpendel.cli.run.ideal_json import describe_start
+from kugelpendel.cli.run.ideal_json import describe_start, described
 from kugelpendel.motion import CAUSES
+from kugelpendel.parameters import FORCE_PARTS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -80,41 +81,8 @@ def real_json(job: Job, found: RealResults, files: Sequence[str]) -> str:
 
 def _forces(acting: kp.Forces) -> dict[str, Any]:
     """What acted, None for what did not."""
-    forces: dict[str, Any] = dict.fromkeys(("site", "drag", "suspension", "bob", "drive"))
-    if acting.site is not None:
-        forces["site"] = {
-            "latitude_rad": float(acting.site.latitude),
-            "gravity_m_per_s2": float(acting.site.gravity),
-            "height_m": float(acting.site.height),
-        }
-    if acting.drag is not None:
-        forces["drag"] = {
-            "linear_per_s": float(acting.drag.linear),
-            "quadratic_per_m": float(acting.drag.quadratic),
-        }
-    if acting.suspension is not None:
-        forces["suspension"] = {
-            "anisotropy_rad_per_s": float(acting.suspension.anisotropy),
-            "axis_rad": float(acting.suspension.axis),
-            "damping_anisotropy_per_s": float(acting.suspension.damping_anisotropy),
-            "damping_axis_rad": float(acting.suspension.damping_axis),
-        }
-    if acting.bob is not None:
-        forces["bob"] = {
-            "radius_m": float(acting.bob.radius),
-            "density_kg_per_m3": float(acting.bob.density),
-            "mass_kg": float(acting.bob.mass),
-            "thread_mass_kg": float(acting.bob.thread_mass),
-            "air_density_kg_per_m3": float(acting.bob.air_density),
-        }
-    if acting.drive is not None:
-        phase, radius = acting.drive.phase, acting.drive.radius
-        forces["drive"] = {
-            "push_m_per_s": float(acting.drive.push),
-            "phase_rad": None if phase is None else float(phase),
-            "radius_m": None if radius is None else float(radius),
-        }
-    return forces
+    told = {name: described(part) for name, part in acting.parts.items()}
+    return {name: told.get(name) for name in FORCE_PARTS}
 
 
 def _plane(seen: RealSummary) -> dict[str, Any]:
