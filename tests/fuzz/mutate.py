@@ -50,7 +50,7 @@ def mutated(text: str, chance: random.Random) -> bytes:
         data = data[:at] + bytes(chance.randrange(256) for _ in range(3)) + data[at:]
     if chance.random() < 0.02:
         data = chance.choice(
-            (b"\xef\xbb\xbf" + data, text.encode("utf-16"), data[: len(data) // 2])
+            (b"\xef\xbb\xbf" + data, text.encode("utf-16", "surrogatepass"), data[: len(data) // 2])
         )
     return data
 

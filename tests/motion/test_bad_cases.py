@@ -39,10 +39,6 @@ BAD: dict[str, tuple[Given, str, str]] = {
         (HALL, LAUNCH, kp.Forces(drag=kp.Drag([1e-3, -1e-3, 0.0]))),
         "negative", "linear drag must be finite and not negative, but it is -0.001 1/s",
     ),
-    "half life": (
-        (HALL, LAUNCH, kp.Forces(drag=kp.Drag.from_half_life([60.0, 0.0, 120.0]))),
-        "negative", "linear drag must be finite and not negative, but it is nan 1/s",
-    ),
     "suspension": (
         (HALL, LAUNCH, kp.Forces(suspension=kp.Suspension([1e-6, math.inf, 0.0]))),
         "not_finite", "suspension's anisotropy must be finite, but it is inf rad/s",

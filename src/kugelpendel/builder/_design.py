@@ -24,8 +24,8 @@ from kugelpendel.parameters import (
     InvalidInput,
     Pendulum,
     Wire,
-    as_numbers,
     gathered,
+    one_number,
     require_type,
 )
 
@@ -152,13 +152,16 @@ def design(
     """
     require_type("The pendulum", pendulum, Pendulum)
     numbers = (
-        _one(a, "The amplitude a", "m"), _one(b, "b", "m"), _one(azimuth, "The azimuth", "rad"),
-    )  # fmt: skip
+        one_number(a, "The amplitude a", "m"),
+        one_number(b, "b", "m"),
+        one_number(azimuth, "The azimuth", "rad"),
+    )
     asked = (
-        _one(share, "The share of the Foucault rate", "1"), _one(after, "The time after", "s"),
-        None if radius is None else _one(radius, "The radius to pass", "m"),
-        None if time is None else _one(time, "The time after the closest approach", "s"),
-    )  # fmt: skip
+        one_number(share, "The share of the Foucault rate", ""),
+        one_number(after, "The time after", "s"),
+        None if radius is None else one_number(radius, "The radius to pass", "m"),
+        None if time is None else one_number(time, "The time after the closest approach", "s"),
+    )
     count, taken = 0, 0
 
     def worked() -> None:
@@ -168,6 +171,8 @@ def design(
             done(taken, count)
 
     acting = gathered("A design", forces, parts)
+    if wire is not None:
+        require_type("The wire", wire, Wire)
     case = Case(pendulum, *numbers, acting, wire, *asked, checked, worked)
     count = len(_QUESTIONS) + steps(case)
     answers: list[DesignAnswer] = []
@@ -175,10 +180,3 @@ def design(
         answers.extend(question(case))
         worked()
     return Design(pendulum, *numbers, acting, wire, tuple(answers), budget(case))
-
-
-def _one(value: float, name: str, unit: str) -> float:
-    number = as_numbers(value, name, unit)
-    if not isinstance(number, float):
-        raise InvalidInput(f"{name} must be one number in {unit}, but it is {value!r}.")
-    return number

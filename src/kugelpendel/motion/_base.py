@@ -16,7 +16,14 @@ from kugelpendel.motion._given import selected, short
 from kugelpendel.motion._kept import kept
 from kugelpendel.motion._problems import Problems, Reasons
 from kugelpendel.motion._times import checked_times
-from kugelpendel.parameters import Launch, Numbers, Pendulum, Scalars, as_numbers, column
+from kugelpendel.parameters import (
+    Launch,
+    Numbers,
+    Pendulum,
+    Scalars,
+    column,
+    one_number,
+)
 
 if TYPE_CHECKING:
     from typing import Self
@@ -275,7 +282,7 @@ class Motion(ABC):
 
     def __getitem__(self, key: Any) -> Self:
         """The motions at an index, a slice or a mask, as NumPy takes them."""
-        if self.shape == () and key != ():
+        if self.shape == () and not (isinstance(key, tuple) and not key):
             raise IndexError("a single motion cannot be indexed; only an ensemble can")
         parts = {
             name: selected(value, self.shape, key) for name, value in self._arguments().items()
@@ -359,14 +366,6 @@ class Motion(ABC):
     def _states(self, times: Numbers) -> tuple[Numbers, Numbers]:
         """Position and velocity at the same times."""
         return self.position(times), self.velocity(times)
-
-
-def one_number(given: float, name: str, unit: str) -> float:
-    """The number as a float. Raises InvalidInput for what is not one number."""
-    value = as_numbers(given, name, unit)
-    if not isinstance(value, float):
-        raise InvalidInput(f"{name} must be one number, but it is {given!r}.")
-    return value
 
 
 def _again(make: type[Motion], arguments: dict[str, Any]) -> Motion:

@@ -8,6 +8,7 @@ import numpy as np
 
 from kugelpendel.motion._base import Motion
 from kugelpendel.motion._kept import kept
+from kugelpendel.motion._problems import Problems
 from kugelpendel.parameters import (
     ActedOn,
     ForceParts,
@@ -95,6 +96,14 @@ class ForcedMotion(ActedOn, Motion):
             f"the times of its turning points, events('outer', …), for kp.ellipse(motion, t), or "
             f"for EnvelopeMotion.rates(t)."
         )
+
+    @kept
+    def problems(self) -> Problems:
+        """The bad cases; a derived number is told by what was given, such as a half life.
+
+        `status` keeps the kind of the derived number's own problem.
+        """
+        return Problems(self._motions, self.shape, self._forces)
 
     def _arguments(self) -> dict[str, Any]:
         acting = {"forces": self._forces} if self._forces.parts else {}

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kugelpendel.errors import InvalidInput, Told
+from kugelpendel.parameters import Forces
 
 Index: TypeAlias = int | tuple[int, ...]
 """An int where the ensemble has one axis, else a tuple of as many as it has."""
@@ -38,11 +39,14 @@ class Problems(Mapping[Index, str]):
         The core's motions.
     shape
         Of the ensemble.
+    forces
+        What acts, in which numbers may be derived from others that were given.
     """
 
-    def __init__(self, cases: Cases, shape: tuple[int, ...]):
+    def __init__(self, cases: Cases, shape: tuple[int, ...], forces: Forces | None = None):
         self._cases = cases
         self._shape = shape
+        self._forces = forces
         self._indices, self._kinds = cases.problems()
 
     @property
@@ -66,7 +70,7 @@ class Problems(Mapping[Index, str]):
         told = self._cases.problem(flat)
         if told is None:
             raise KeyError(index)
-        return InvalidInput.told(told)
+        return InvalidInput.told(self._by_what_was_given(told, flat))
 
     def __getitem__(self, index: Index) -> str:
         return str(self.error(index))
@@ -86,6 +90,13 @@ class Problems(Mapping[Index, str]):
         index = next(iter(self))
         said = f"Problems({len(self)} of {count} cases, the first at {index}: {self[index]}"
         return f"{said})" if len(said) < 200 else f"{said[:198]}…)"
+
+    def _by_what_was_given(self, told: Told, flat: int) -> Told:
+        """The problem of what a bad number was derived from, in place of that number's own."""
+        seen = told[1]
+        if self._forces is None or not seen or (origin := self._forces.origin(seen[0][0])) is None:
+            return told
+        return origin.problem(_place(flat, self._shape), self._shape) or told
 
     def _flat(self, index: Index) -> int:
         positions = index if isinstance(index, tuple) else (index,)

@@ -8,10 +8,9 @@ import numpy as np
 
 from kugelpendel import _core
 from kugelpendel.errors import InvalidInput
-from kugelpendel.motion._base import one_number
 from kugelpendel.motion._forced import ForcedMotion
 from kugelpendel.motion._walk import SteppedMotion
-from kugelpendel.parameters import ForceParts, Forces, Launch, Numbers, Pendulum
+from kugelpendel.parameters import ForceParts, Forces, Launch, Numbers, Pendulum, one_number
 
 Thread: TypeAlias = Literal["ends", "flies", "rod"]
 

@@ -16,7 +16,7 @@ from kugelpendel.parameters import (
     Numbers,
     Pendulum,
     as_array,
-    as_numbers,
+    one_number,
 )
 
 
@@ -50,9 +50,7 @@ def checked_times(t: ArrayLike, numbers_each: int) -> Numbers:
 def checked_grid(start: float, step: float, count: int, numbers_each: int) -> int:
     """The count as an int, where the grid makes sense."""
     for name, given in (("start", start), ("step", step)):
-        value = as_numbers(given, f"The grid's {name}", "s")
-        if not isinstance(value, float):
-            raise InvalidInput(f"The grid's {name} must be one number in s, but it is {given!r}.")
+        value = one_number(given, f"The grid's {name}", "s")
         if not isfinite(value):
             raise InvalidInput(f"The grid's {name} must be finite, but it is {value} s.")
     if step == 0:

@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kugelpendel.errors import InvalidInput, MotionEnded
-from kugelpendel.motion._base import MOST_EVENTS, EventKind, Motion, one_number
+from kugelpendel.motion._base import MOST_EVENTS, EventKind, Motion
 from kugelpendel.motion._times import checked_grid, checked_times
-from kugelpendel.parameters import Numbers
+from kugelpendel.parameters import Numbers, one_number
 
 AskedEvent: TypeAlias = EventKind | tuple[EventKind, float]
 

@@ -22,7 +22,7 @@ from kugelpendel.motion import (
 )
 from kugelpendel.observables._measured import Rates, measured_rates
 from kugelpendel.observables._validity import ORDERS
-from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum
+from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, one_number
 
 _SWINGS = 20
 """Swings that are compared unless a duration is given."""
@@ -195,7 +195,7 @@ def _own_rates(motion: Motion, half_swing: float) -> Rates:
 
 def _times(exact: ExactMotion, duration: float | None) -> Numbers:
     swing = exact.comparison_swing
-    span = _SWINGS * swing if duration is None else float(duration)
+    span = _SWINGS * swing if duration is None else one_number(duration, "The duration", "s")
     if not 0 < span < math.inf:
         raise InvalidInput(f"The duration must be positive and finite, but it is {duration} s.")
     if span > _MOST_SWINGS * swing:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from kugelpendel import _core
 from kugelpendel.motion import Motion
-from kugelpendel.parameters import InvalidInput, Numbers, Pendulum, Scalars
+from kugelpendel.parameters import Numbers, Pendulum, Scalars, as_array, require_type
 
 
 class Ellipse(NamedTuple):
@@ -61,12 +61,8 @@ def ellipse(motion: Motion, t: ArrayLike) -> Ellipse:
     motion has a site, the ellipse is that of the plane at rest (velocity plus Ω_z × r): a bob let
     go at rest on the turning Earth runs through one.
     """
-    if not isinstance(motion, Motion):  # pyright: ignore[reportUnnecessaryIsInstance]
-        raise InvalidInput(
-            f"An ellipse is that of a motion, such as ExactMotion(pendulum, launch), but this is "
-            f"{type(motion).__name__}."
-        )
-    times = np.asarray(t, dtype=np.float64)
+    require_type("The motion", motion, Motion, "write kp.ExactMotion(pendulum, launch)")
+    times = as_array(t, "The times", "s")
     place, velocity = motion.position(times), motion.velocity(times)
     return osculating_ellipse(place, velocity, motion.effective_pendulum, motion.rotation, times)
 

@@ -13,7 +13,16 @@ from numpy.typing import ArrayLike
 from kugelpendel import _core
 from kugelpendel.motion import EnvelopeMotion, RealMotion
 from kugelpendel.observables._ellipse import ellipse
-from kugelpendel.parameters import ForceParts, Forces, InvalidInput, Numbers, Pendulum, gathered
+from kugelpendel.parameters import (
+    ForceParts,
+    Forces,
+    InvalidInput,
+    Numbers,
+    Pendulum,
+    gathered,
+    one_number,
+    require_type,
+)
 
 VERDICTS = ("round", "to and fro", "stands")
 """What a plane does: it goes round and round, it turns back again and again, or it stays."""
@@ -126,7 +135,10 @@ class Portrait:
         **parts: Unpack[ForceParts],
     ):
         acting = gathered("Portrait", forces, parts)
-        given = {"pendulum": pendulum, "a": a, "b": b, "azimuth": azimuth, "forces": acting}
+        require_type("The pendulum", pendulum, Pendulum)
+        numbers = (("a", a, "m"), ("b", b, "m"), ("azimuth", azimuth, "rad"))
+        given = {"pendulum": pendulum, "forces": acting}
+        given |= {name: one_number(value, name, unit) for name, value, unit in numbers}
         for name, value in given.items():
             object.__setattr__(self, name, value)
         for name, part in {"pendulum": pendulum, **acting.parts}.items():
@@ -147,6 +159,8 @@ class Portrait:
     @classmethod
     def of(cls, motion: RealMotion | EnvelopeMotion, t: float = 0.0) -> Portrait:
         """With the ellipse that a motion runs through at a time in s."""
+        if not isinstance(motion, EnvelopeMotion):
+            require_type("The motion", motion, RealMotion, "write kp.RealMotion(pendulum, launch)")
         if motion.shape != ():
             raise InvalidInput(
                 f"A portrait is of one pendulum, but the motion has the shape {motion.shape}; draw "

@@ -8,7 +8,7 @@ from typing import Literal, TypeAlias
 
 from kugelpendel import _core
 from kugelpendel.motion import ExactMotion, Motion
-from kugelpendel.parameters import InvalidInput
+from kugelpendel.parameters import InvalidInput, require_type
 
 Regime: TypeAlias = Literal[
     "rest", "balance", "separatrix", "plane", "rotation", "cone", "ellipse", "above"
@@ -68,6 +68,7 @@ class IdealSummary:
         That is the exact motion itself, or that of the `effective_pendulum` from the same launch.
         Raises InvalidInput for an ensemble.
         """
+        require_type("The motion", motion, Motion, "write kp.ExactMotion(pendulum, launch)")
         if motion.shape != ():
             raise InvalidInput(
                 f"One motion can be shown at a time, and this is an ensemble of shape "

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import prod
 
+import numpy as np
+
 from kugelpendel import _core
-from kugelpendel.errors import InvalidInput
+from kugelpendel.errors import InvalidInput, Told
 from kugelpendel.parameters._numbers import Scalars, column, common_shape, unfit
 
 
@@ -45,3 +48,25 @@ def derived(what: str, names: str, given: dict[str, Scalars]) -> Scalars:
     numbers = numbers.reshape(shape)
     numbers.flags.writeable = False
     return numbers
+
+
+@dataclass(frozen=True)
+class Origin:
+    """What a number was derived from: a bad case of an ensemble is told by what was given.
+
+    Attributes
+    ----------
+    what
+        What the core calls the number's derivation, as in `derived`.
+    given
+        The numbers that it was derived from, as in `derived`.
+    """
+
+    what: str
+    given: dict[str, Scalars]
+
+    def problem(self, index: tuple[int, ...], shape: tuple[int, ...]) -> Told | None:
+        """What is wrong with what was given for one case of an ensemble of that shape, if it is."""
+        cases = (np.broadcast_to(value, shape)[index] for value in self.given.values())
+        columns = {name: np.array([case]) for name, case in zip(self.given, cases, strict=True)}
+        return _core.derived(self.what, columns, 1)[1]

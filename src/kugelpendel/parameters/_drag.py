@@ -8,7 +8,7 @@ from typing import ClassVar
 from numpy.typing import ArrayLike
 
 from kugelpendel.parameters._bob import Bob
-from kugelpendel.parameters._derived import derived
+from kugelpendel.parameters._derived import Origin, derived
 from kugelpendel.parameters._given import Given, require_type
 from kugelpendel.parameters._numbers import Scalars, as_numbers
 from kugelpendel.parameters._pendulum import Pendulum
@@ -62,7 +62,9 @@ class Drag(Given):
             "drag.quality": as_numbers(quality, "drag.quality", ""),
             "pendulum.angular_frequency": pendulum.angular_frequency,
         }
-        return cls(derived("linear_from_quality", "the quality and the pendulum", given))
+        what = "linear_from_quality"
+        drag = cls(derived(what, "the quality and the pendulum", given))
+        return drag._derived_from(linear=Origin(what, given))
 
     @classmethod
     def from_half_life(cls, half_life: ArrayLike) -> Drag:
@@ -72,7 +74,8 @@ class Drag(Given):
         single half life that is not positive and finite; in an ensemble such a case becomes NaN.
         """
         given = {"drag.half_life": as_numbers(half_life, "drag.half_life", "s")}
-        return cls(derived("linear_from_half_life", "the half life", given))
+        what = "linear_from_half_life"
+        return cls(derived(what, "the half life", given))._derived_from(linear=Origin(what, given))
 
     @classmethod
     def from_bob(
@@ -136,6 +139,6 @@ class Drag(Given):
         }
         given |= bob.prefixed | pendulum.prefixed
         names = "the bob, the pendulum and the air"
-        return cls(
-            derived("linear_from_bob", names, given), derived("quadratic_from_bob", names, given)
-        )
+        linear, quadratic = Origin("linear_from_bob", given), Origin("quadratic_from_bob", given)
+        drag = cls(*(derived(origin.what, names, given) for origin in (linear, quadratic)))
+        return drag._derived_from(linear=linear, quadratic=quadratic)

@@ -9,6 +9,7 @@ import numpy as np
 
 from kugelpendel.errors import InvalidInput
 from kugelpendel.parameters._bob import Bob
+from kugelpendel.parameters._derived import Origin
 from kugelpendel.parameters._drag import Drag
 from kugelpendel.parameters._drive import Drive
 from kugelpendel.parameters._given import LONGEST, Given, require_type
@@ -116,6 +117,11 @@ class Forces:
         for part in self.parts.values():
             columns |= part.columns(shape)
         return columns
+
+    def origin(self, name: str) -> Origin | None:
+        """What the number of that name in the core was derived from, where that is known."""
+        part = self.parts.get(name.partition(".")[0])
+        return None if part is None else part.origin(name)
 
     def __repr__(self) -> str:
         text = f"Forces({', '.join(f'{name}={part!r}' for name, part in self.parts.items())})"

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from kugelpendel import _core
 from kugelpendel.errors import InvalidInput, Told
+from kugelpendel.parameters._derived import Origin
 from kugelpendel.parameters._numbers import (
     Numbers,
     Scalars,
@@ -68,6 +69,16 @@ class Given:
             raise unfit(names, tuple(self.named.values())) from None
         if single and (problem := self._problem()) is not None:
             raise InvalidInput.told(problem)
+
+    def _derived_from(self, **origins: Origin) -> Self:
+        """Note what some of the numbers were derived from, under their names."""
+        object.__setattr__(self, "_origins", origins)
+        return self
+
+    def origin(self, name: str) -> Origin | None:
+        """What a number was derived from, where it was and that is known; the core's name of it."""
+        origins: dict[str, Origin] = getattr(self, "_origins", {})
+        return origins.get(name.removeprefix(f"{self.part}."))
 
     def _problem(self) -> Told | None:
         """What the core says is wrong with a single case, if anything is."""

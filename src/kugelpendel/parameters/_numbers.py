@@ -61,6 +61,15 @@ def as_numbers(value: ArrayLike, what: str, unit: str) -> Scalars:
     return array
 
 
+def one_number(value: ArrayLike, what: str, unit: str) -> float:
+    """A float; raises InvalidInput for what is not one number, else as `as_array`."""
+    number = as_numbers(value, what, unit)
+    if not isinstance(number, float):
+        of = f" in {unit}" if unit else ""
+        raise InvalidInput(f"{what} must be one number{of}, but it is {value!r:.60}.")
+    return number
+
+
 def _without_unit(value: Any, what: str, unit: str) -> Any:
     """The numbers of a quantity in this unit, of a masked array, or what was given."""
     if isinstance(value, (float, int, str)):

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from numpy.typing import ArrayLike
 
-from kugelpendel.parameters._derived import derived
+from kugelpendel.parameters._derived import Origin, derived
 from kugelpendel.parameters._given import Given
 from kugelpendel.parameters._numbers import Scalars, as_numbers
 
@@ -87,5 +87,7 @@ class Suspension(Given):
             f"suspension.{name}": as_numbers(value, f"suspension.{name}", "s")
             for name, value in (("period_along", along), ("period_across", across))
         }
-        anisotropy = derived("anisotropy_from_periods", "the two periods", periods)
-        return cls(anisotropy, axis, damping_anisotropy, damping_axis)
+        what = "anisotropy_from_periods"
+        anisotropy = derived(what, "the two periods", periods)
+        suspension = cls(anisotropy, axis, damping_anisotropy, damping_axis)
+        return suspension._derived_from(anisotropy=Origin(what, periods))
