@@ -9,6 +9,7 @@ import pytest
 
 import kugelpendel as kp
 from kugelpendel.cli.job_file.sample_times import Grid
+from kugelpendel.cli.run import real
 from kugelpendel.cli.track import track, trial
 
 MOTION = kp.ExactMotion(kp.Pendulum(1.0), kp.Launch.apsides(0.2, 0.1))
@@ -40,6 +41,28 @@ def test_a_track_beyond_the_disk_is_refused(call, write, monkeypatch: pytest.Mon
         outcome.err,
     )
     assert list(Path.cwd().iterdir()) == []
+
+
+@pytest.mark.parametrize("track_format", ["csv", "netcdf", "parquet"])
+def test_a_real_track_beyond_the_disk_is_refused_on_the_way(
+    call, write, monkeypatch: pytest.MonkeyPatch, track_format: str
+) -> None:
+    monkeypatch.setattr(real, "WORTH_A_TRIAL", 50)
+    monkeypatch.setattr(real, "ROWS", 50)
+    monkeypatch.setattr(trial.shutil, "disk_usage", lambda _: Usage(500))
+    outcome = call("run", write(drag={"half_life": "1 h"}), "--format", track_format)
+    assert outcome.code == 2
+    assert "the track of 101 samples would take about" in outcome.err
+    assert list(Path.cwd().iterdir()) == []
+
+
+def test_a_large_real_track_is_announced(call, write, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(real, "WORTH_A_TRIAL", 50)
+    monkeypatch.setattr(real, "ROWS", 50)
+    monkeypatch.setattr(real, "LARGE", 1000.0)
+    outcome = call("run", write(drag={"half_life": "1 h"}))
+    assert outcome.code == 0
+    assert re.search(r"the track takes about 1\d kB\.", outcome.err)
 
 
 @pytest.mark.parametrize(("name", "value"), [("WORTH_SAYING", 0.0), ("LARGE", 1000.0)])

@@ -24,10 +24,12 @@ from kugelpendel.cli.terminal.describe import describe_launch
 from kugelpendel.cli.terminal.estimate import Estimate, StopRequest
 from kugelpendel.cli.terminal.interrupted import Interrupted
 from kugelpendel.cli.terminal.progress import Progress
+from kugelpendel.cli.terminal.streams import complain
 from kugelpendel.cli.track.block import Block
-from kugelpendel.cli.track.track import BLOCK, FIGURE, FILES, WRITERS
+from kugelpendel.cli.track.track import BLOCK, FIGURE, FILES, WORTH_A_TRIAL, WRITERS
+from kugelpendel.cli.track.trial import LARGE, ROWS, require_room
 from kugelpendel.observables import Explanation, Follower, RealSummary, explain
-from kugelpendel.spelling import spell
+from kugelpendel.spelling import spell, spell_bytes
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -122,7 +124,8 @@ def _follow(
     """
     grid, rows = job.grid, 0
     end = grid.duration
-    follower, estimate = Follower(motion), Estimate(end)
+    follower, estimate = Follower(motion), Estimate(end, "keeps what is done")
+    asked = grid.count <= WORTH_A_TRIAL
     with (
         Progress("Following the pendulum", end) as progress,
         WRITERS[job.format](path, None) as write,
@@ -140,6 +143,12 @@ def _follow(
             if len(leg.times):
                 write(Block(rows, leg.times, leg.position, leg.velocity, leg.tension))
             rows += len(leg.times)
+            if not asked and rows >= ROWS:
+                asked = True
+                size = path.stat().st_size / rows * grid.count
+                require_room(path.parent, grid, size)
+                if size > LARGE:
+                    complain(f"the track takes about {spell_bytes(size, 2)}.")
             progress.advance(leg.until - leg.start)
             estimate.after(leg.until)
     return follower.summary(), rows

@@ -29,10 +29,13 @@ class Estimate:
     ----------
     total
         How much work there is, in any unit.
+    ctrl_c
+        What Ctrl-C does.
     """
 
-    def __init__(self, total: float) -> None:
+    def __init__(self, total: float, ctrl_c: str) -> None:
         self._total = total
+        self._ctrl_c = ctrl_c
         self._started = time.monotonic()
         self._said = False
 
@@ -44,7 +47,7 @@ class Estimate:
         self._said = True
         whole = taken * self._total / done
         if whole > _WORTH_SAYING:
-            sentence = f"this takes about {spell(whole, 's', 2)}; Ctrl-C keeps what is done."
+            sentence = f"this takes about {spell(whole, 's', 2)}; Ctrl-C {self._ctrl_c}."
             print(f"kugelpendel: {sentence}", file=sys.stderr)
 
 

@@ -79,6 +79,18 @@ def cost(folder: Path, motion: ExactMotion, grid: Grid, writer: Writer) -> Cost:
     return Cost(taken * grid.count / rows, size * grid.count / rows)
 
 
+def require_room(folder: Path, grid: Grid, size: float) -> None:
+    """Raise InvalidInput unless the disk has room for a track of so many bytes."""
+    free = shutil.disk_usage(folder).free
+    if size > free:
+        fit = int(free / size * grid.count * 0.9)
+        raise InvalidInput(
+            f"the track of {grouped(grid.count)} samples would take about {spell_bytes(size)},"
+            f" and the disk has {spell_bytes(free)} free; choose samples = {max(fit, 2)} or fewer, "
+            "a binary format, or another disk with --out."
+        )
+
+
 def announce(folder: Path, grid: Grid, cost: Cost) -> None:
     """Say what a long or large track costs, before it is written.
 
@@ -87,14 +99,7 @@ def announce(folder: Path, grid: Grid, cost: Cost) -> None:
     InvalidInput
         The disk has no room for it.
     """
-    free = shutil.disk_usage(folder).free
-    if cost.size > free:
-        fit = int(free / cost.size * grid.count * 0.9)
-        raise InvalidInput(
-            f"the track of {grouped(grid.count)} samples would take about {spell_bytes(cost.size)},"
-            f" and the disk has {spell_bytes(free)} free; choose samples = {max(fit, 2)} or fewer, "
-            "a binary format, or another disk with --out."
-        )
+    require_room(folder, grid, cost.size)
     if cost.seconds > WORTH_SAYING or cost.size > LARGE:
         complain(
             f"this takes about {spell(cost.seconds, 's', 2)} and writes about "

@@ -1,0 +1,29 @@
+"""An estimate is said once, where the whole takes long, with what Ctrl-C does."""
+
+import pytest
+
+from kugelpendel.cli.terminal import estimate
+from kugelpendel.cli.terminal.estimate import Estimate
+
+
+@pytest.mark.parametrize(
+    ("at", "done", "said"),
+    [
+        (0.4, 0.001, ""),  # too early to judge by
+        (1.0, 0.5, ""),  # over in 2 s
+        (1.0, 0.0, ""),
+        (1.0, 0.01, "this takes about 100 s; Ctrl-C leaves everything as it was."),
+    ],
+)
+def test_long_work_is_announced(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
+    at: float, done: float, said: str,
+) -> None:  # fmt: skip
+    now = [100.0]
+    monkeypatch.setattr(estimate.time, "monotonic", lambda: now[0])
+    waiting = Estimate(1.0, "leaves everything as it was")
+    now[0] += at
+    waiting.after(done)
+    waiting.after(done)
+    err = capsys.readouterr().err
+    assert err == (f"kugelpendel: {said}\n" if said else "")
