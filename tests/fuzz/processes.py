@@ -49,7 +49,12 @@ def process_fault(command: str, data: bytes, encoding: str) -> str | None:
             printed, said = process.communicate(timeout=60)
         except subprocess.TimeoutExpired:
             process.send_signal(signal.SIGINT)
-            printed, said = process.communicate(timeout=10)
+            try:
+                _, said = process.communicate(timeout=30)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.communicate()
+                return "Ctrl-C was not obeyed within half a minute"
             return None if said.strip() else "nothing said for a minute"
         shown, told = (text.decode(encoding, errors="replace") for text in (printed, said))
         return verdict(process.returncode, shown, told, out)

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable
 from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
 from contextlib import suppress
 from functools import partial
-from multiprocessing import get_context
+from multiprocessing import active_children, get_context
 from time import perf_counter
 from typing import Literal
 
@@ -77,13 +77,20 @@ def check(
     workers = min(os.cpu_count() or 1, len(wanted))
     if not parallel or workers < 2:
         return tuple(_note(one(label), rows, len(wanted), progress) for label in wanted)
+    others = set(active_children())
     # spawn: a forked child of a process with threads (a progress bar's) may hang
     with (
         ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool,
         suppress(BrokenExecutor),
     ):
-        for row in pool.map(one, wanted):
-            _note(row, rows, len(wanted), progress)
+        try:
+            for row in pool.map(one, wanted):
+                _note(row, rows, len(wanted), progress)
+        except KeyboardInterrupt:
+            # A proof lasts for seconds, and leaving the pool waits for those that are begun.
+            for worker in set(active_children()) - others:
+                worker.terminate()
+            raise
     # where no process can be started (a script read from standard input), this one goes on
     for label in wanted[len(rows) :]:
         _note(one(label), rows, len(wanted), progress)
