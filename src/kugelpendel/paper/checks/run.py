@@ -84,8 +84,9 @@ def check(
         suppress(BrokenExecutor),
     ):
         try:
-            for row in pool.map(one, wanted):
-                _note(row, rows, len(wanted), progress)
+            # Not by map, which cancels what is left: Python 3.11 trips over that in a broken pool.
+            for future in [pool.submit(one, label) for label in wanted]:
+                _note(future.result(), rows, len(wanted), progress)
         except KeyboardInterrupt:
             # A proof lasts for seconds, and leaving the pool waits for those that are begun.
             for worker in set(active_children()) - others:
