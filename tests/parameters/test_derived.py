@@ -22,6 +22,7 @@ BAD = [
 ]
 
 
+@pytest.mark.filterwarnings("ignore:On swings as wide:UserWarning")
 @pytest.mark.parametrize(("forces", "said"), BAD, ids=[said for _, said in BAD])
 @pytest.mark.parametrize("make", [kp.RealMotion, kp.EnvelopeMotion])
 def test_a_bad_case_is_told_by_what_was_given(make, forces, said: str) -> None:

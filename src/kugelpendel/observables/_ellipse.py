@@ -61,7 +61,7 @@ def ellipse(motion: Motion, t: ArrayLike) -> Ellipse:
     motion has a site, the ellipse is that of the plane at rest (velocity plus Ω_z × r): a bob let
     go at rest on the turning Earth runs through one.
     """
-    require_type("The motion", motion, Motion, "write kp.ExactMotion(pendulum, launch)")
+    require_type("The motion", motion, Motion, way_out="write kp.ExactMotion(pendulum, launch)")
     times = as_array(t, "The times", "s")
     place, velocity = motion.position(times), motion.velocity(times)
     return osculating_ellipse(place, velocity, motion.effective_pendulum, motion.rotation, times)

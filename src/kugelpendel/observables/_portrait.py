@@ -159,8 +159,8 @@ class Portrait:
     @classmethod
     def of(cls, motion: RealMotion | EnvelopeMotion, t: float = 0.0) -> Portrait:
         """With the ellipse that a motion runs through at a time in s."""
-        if not isinstance(motion, EnvelopeMotion):
-            require_type("The motion", motion, RealMotion, "write kp.RealMotion(pendulum, launch)")
+        way_out = "write kp.RealMotion(pendulum, launch)"
+        require_type("The motion", motion, RealMotion, EnvelopeMotion, way_out=way_out)
         if motion.shape != ():
             raise InvalidInput(
                 f"A portrait is of one pendulum, but the motion has the shape {motion.shape}; draw "

@@ -68,7 +68,7 @@ class IdealSummary:
         That is the exact motion itself, or that of the `effective_pendulum` from the same launch.
         Raises InvalidInput for an ensemble.
         """
-        require_type("The motion", motion, Motion, "write kp.ExactMotion(pendulum, launch)")
+        require_type("The motion", motion, Motion, way_out="write kp.ExactMotion(pendulum, launch)")
         if motion.shape != ():
             raise InvalidInput(
                 f"One motion can be shown at a time, and this is an ensemble of shape "
