@@ -11,7 +11,7 @@ from kugelpendel.errors import InvalidInput
 from kugelpendel.motion._base import one_number
 from kugelpendel.motion._forced import ForcedMotion
 from kugelpendel.motion._walk import SteppedMotion
-from kugelpendel.parameters import ForceParts, Forces, Launch, Numbers, Pendulum
+from kugelpendel.parameters import ForceParts, Forces, Launch, Pendulum
 
 Thread: TypeAlias = Literal["ends", "flies", "rod"]
 
@@ -134,12 +134,11 @@ class RealMotion(ForcedMotion, SteppedMotion):
         """A sentence on where the motion holds."""
         return "Everywhere, as far as the forces are known; errors of the integration grow slowly."
 
-    def _check_times(self, times: Numbers) -> None:
-        is_one_way = self.drive is not None or self.thread == "flies"
-        if is_one_way and times.size and times.min() < 0:
+    def _check_start(self, first: float) -> None:
+        if first < 0 and (self.drive is not None or self.thread == "flies"):
             raise InvalidInput(
                 f"A driven or flying pendulum cannot be followed back before its launch, but "
-                f"asked for is {times.min():.6g} s."
+                f"asked for is {first:.6g} s."
             )
 
     def _ended(self, why: str) -> tuple[str, dict[str, str]]:
