@@ -17,9 +17,9 @@ def motions(factors: list[float] | None) -> _core.EnvelopeMotions:
     one = kp.EnvelopeMotion(
         kp.Pendulum(1.3), kp.Launch.ellipse(0.3, 0.1), drag=kp.Drag(1e-4), site=kp.Site(0.8)
     )
-    _, *columns = one._columns
+    _, pendulum, launch, acting = one._columns
     column = None if factors is None else np.array(factors)
-    return _core.EnvelopeMotions(3, *columns, True, column)
+    return _core.EnvelopeMotions(3, pendulum, launch, acting, True, column)
 
 
 def test_each_case_turns_by_its_own_factor() -> None:
