@@ -11,7 +11,7 @@ from kugelpendel.errors import InvalidInput
 from kugelpendel.motion._base import one_number
 from kugelpendel.motion._forced import ForcedMotion
 from kugelpendel.motion._walk import SteppedMotion
-from kugelpendel.parameters import ForceParts, Forces, Launch, Pendulum
+from kugelpendel.parameters import ForceParts, Forces, Launch, Pendulum, column
 
 Thread: TypeAlias = Literal["ends", "flies", "rod"]
 
@@ -126,8 +126,8 @@ class RealMotion(ForcedMotion, SteppedMotion):
         are fewer; later ones are known once the motion has been followed so far. A free pendulum
         with too little energy to come near the height of its support has no end.
         """
-        swings = 2 * np.pi * _LOOKED / np.asarray(self.angular_frequency)
-        return self._span_within(np.ravel(swings))
+        swings = 2 * np.pi * _LOOKED / self.angular_frequency
+        return self._span_within(column(swings, self.shape))
 
     @property
     def trust(self) -> str:
