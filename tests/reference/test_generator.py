@@ -110,12 +110,14 @@ def test_precession_of_cones(stored: list[dict[str, Any]]) -> None:
     assert seen >= 12
 
 
-def test_the_stored_motions_by_13_are_those_of_their_generator(repository: Path) -> None:
-    command = (sys.executable, "-m", "references.cubic", "1")
+@pytest.mark.parametrize("equation", ["cubic", "drag"])
+def test_the_motions_of_other_equations_are_those_of_their_generator(
+    repository: Path, equation: str
+) -> None:
+    command = (sys.executable, "-m", f"references.equations.{equation}", "1")
     made = subprocess.run(
         command, cwd=repository, capture_output=True, text=True, check=True
     ).stdout
-    stored = json.loads((repository / "tests" / "reference" / "cubic.json").read_text())
-    made = json.loads(made)
-    assert made["times"] == stored["times"]
-    assert made["cases"] == stored["cases"][:1]
+    stored = json.loads((repository / "tests" / "reference" / f"{equation}.json").read_text())
+    assert json.loads(made)["times"] == stored["times"]
+    assert json.loads(made)["cases"] == stored["cases"][:1]

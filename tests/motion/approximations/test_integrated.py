@@ -42,7 +42,7 @@ def test_plane_motion_is_as_exact_over_100_swings_as_it_says(highest: float, wor
 
 
 def test_cubic_motion_is_as_exact_over_100_swings_as_it_says() -> None:
-    """Against (13) in fixed point (references/cubic.py): 200 launches below 60°."""
+    """Against (13) in fixed point (references/equations/cubic.py): 200 launches below 60°."""
     stored = json.loads(STORED.read_text(encoding="utf-8"))
     assert len(stored["cases"]) == 200
     largest = 0.0

@@ -1,4 +1,4 @@
-"""Write the references of (13): ``python -m references.cubic``, from the repository's root.
+"""Write the references of (13): ``python -m references.equations.cubic``, from the root.
 
 With a number N it prints the first N of the launches instead.
 
@@ -44,7 +44,8 @@ def cubic(series: Series, energy: int, scale: int, order: int, bits: int) -> Non
 
 def launches() -> list[list[float]]:
     """x, y, vx, vy."""
-    numbers, found = random.Random(SEED), []
+    numbers = random.Random(SEED)
+    found: list[list[float]] = []
     while len(found) < LAUNCHES:
         x, y, vx, vy = (numbers.uniform(-1, 1) for _ in range(4))
         if x * x + y * y >= 1:
@@ -72,7 +73,7 @@ def states(launch: list[float], times: list[float]) -> list[State]:
 def text(count: int) -> str:
     """The file: one launch a line, with x and y at each time."""
     times = [float(round(2 * math.pi * swings)) for swings in SWINGS]
-    lines = []
+    lines: list[str] = []
     for launch in launches()[:count]:
         exact = [round(value * 2.0**60) / 2.0**60 for value in launch]
         places = [
