@@ -14,7 +14,8 @@ import time
 from pathlib import Path
 
 TOPICS = (
-    "sampling", "scattered", "ensembles", "real", "envelope", "ladder", "series", "peers", "startup"
+    "sampling", "scattered", "ensembles", "real", "walk", "envelope", "ladder", "series", "peers",
+    "startup",
 )  # fmt: skip
 THREADS = (
     "RAYON_NUM_THREADS",

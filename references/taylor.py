@@ -22,11 +22,13 @@ STEP_BITS = 10
 LONGEST_STEP = 3 << STEP_BITS
 
 
-def _dot(a: list[int], b: list[int], k: int) -> int:
+def dot(a: list[int], b: list[int], k: int) -> int:
+    """The k-th coefficient of a product of two series."""
     return sum(map(mul, a[: k + 1], b[k::-1]))
 
 
-def _square(a: list[int], k: int) -> int:
+def square(a: list[int], k: int) -> int:
+    """The k-th coefficient of the square of a series."""
     half = (k + 1) // 2
     total = 2 * sum(map(mul, a[:half], a[k : k - half : -1]))
     return total + a[k // 2] ** 2 if k % 2 == 0 else total
@@ -42,8 +44,8 @@ def normalised(series: Series, energy: int, scale: int, order: int, bits: int) -
         for rate, x in zip(rates, series, strict=True):
             rate.append((k + 1) * x[k + 1])
         weight = (z[k] * scale * scale) >> (2 * STEP_BITS)
-        source = (sum(_square(rate, k) for rate in rates) >> bits) + weight
-        radius.append(sum(_square(x, k) for x in series) >> bits)
+        source = (sum(square(rate, k) for rate in rates) >> bits) + weight
+        radius.append(sum(square(x, k) for x in series) >> bits)
         known = sum(map(mul, pull, radius[k:0:-1])) >> bits
         pull.append(((source - known) << bits) // radius[0])
         _accelerate(series, pull, scale, k, bits)
@@ -62,7 +64,7 @@ def conserved(series: Series, energy: int, scale: int, order: int, bits: int) ->
 def _accelerate(series: Series, pull: list[int], scale: int, k: int, bits: int) -> None:
     divisor = (k + 1) * (k + 2)
     for x in series:
-        x.append((-_dot(pull, x, k) // divisor) >> bits)
+        x.append((-dot(pull, x, k) // divisor) >> bits)
     if k == 0:
         series[2][2] += (scale * scale << bits) >> (2 * STEP_BITS + 1)
 

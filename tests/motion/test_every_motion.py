@@ -31,6 +31,7 @@ MAKERS: dict[str, Make] = {
     "EnvelopeMotion": lambda p, launch: kp.EnvelopeMotion(p, launch, drag=kp.Drag(0.0)),
 }
 FORCED = ("RealMotion", "EnvelopeMotion")
+RATES = ("frequency", "precession", "period")
 
 # How far each is from the exact one within 12 s, in m: measured, rounded up.
 APART = {
@@ -130,7 +131,7 @@ def test_each_against_every_other(first: str, second: str, launch: kp.Launch) ->
 @pytest.mark.parametrize("name", [name for name in MAKERS if name not in FORCED])
 def test_rates_are_floats_near_the_exact_ones(name: str) -> None:
     motion, exact = made(name), made("ExactMotion")
-    for rate in ("frequency", "precession", "period"):
+    for rate in RATES:
         assert type(getattr(motion, rate)) is float
     assert motion.period == pytest.approx(2 * pi / float(motion.frequency), rel=1e-15)
     near = {"LinearMotion": 1e-2, "OlssonMotion": 1e-5, "CubicMotion": 1e-4}.get(name, 1e-10)
@@ -141,7 +142,7 @@ def test_rates_are_floats_near_the_exact_ones(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", FORCED)
-@pytest.mark.parametrize("rate", ["frequency", "precession", "period"])
+@pytest.mark.parametrize("rate", RATES)
 def test_a_motion_under_forces_has_no_rate_that_stays(name: str, rate: str) -> None:
     motion = made(name)
     assert not hasattr(motion, rate)
@@ -154,7 +155,7 @@ def test_scalars_of_an_ensemble_are_read_only_arrays(name: str) -> None:
     if name in FORCED:
         return
     motion = ensemble(name)
-    for rate in ("frequency", "precession", "period"):
+    for rate in RATES:
         values = getattr(motion, rate)
         assert values.shape == (3, 2)
         before = values.copy()
@@ -294,6 +295,46 @@ def test_a_bad_case_stops_nothing_and_says_why(name: str) -> None:
     assert np.isnan(position[1]).all()
     with pytest.raises(kp.InvalidInput, match="finite"):
         _ = motion[1]
+
+
+@every
+def test_problems_are_those_of_the_bad_cases_only(name: str) -> None:
+    motion = made(name, kp.Launch.angles([[0.1, np.inf], [0.2, 0.3]], 0.0, 0.0, 0.5))
+    assert motion.status.shape == motion.reason.shape == (2, 2)
+    assert (motion.status == 0).tolist() == [[True, False], [True, True]]
+    assert list(motion.problems) == [(0, 1)]
+    assert motion.problems[0, 1] == motion.reason[0, 1]
+    assert motion[1].status.tolist() == [0, 0]
+    good = made(name)
+    assert (good.status.shape, int(good.status), len(good.problems)) == ((), 0, 0)
+    again = pickle.loads(pickle.dumps(motion))
+    assert again == motion
+    np.testing.assert_array_equal(again.status, motion.status)
+
+
+@every
+@pytest.mark.parametrize("make", [made, ensemble])
+def test_no_attribute_can_be_changed_in_place(name: str, make: Callable[[str], kp.Motion]) -> None:
+    motion = make(name)
+    seen = 0
+    for attribute in dir(type(motion)):
+        if attribute.startswith("_") or (attribute in RATES and name in FORCED):
+            continue
+        value = getattr(motion, attribute)
+        if isinstance(value, np.ndarray):
+            seen += 1
+            assert not value.flags.writeable, attribute
+    assert seen > 0
+
+
+@every
+def test_what_was_given_is_a_copy(name: str) -> None:
+    lengths = np.array([1.0, 1.5])
+    motion = made(name, pendulum=kp.Pendulum(lengths, 9.8))
+    before = hash(motion), motion.position(1.0)
+    lengths *= 2
+    np.testing.assert_array_equal(motion.position(1.0), before[1])
+    assert hash(motion) == before[0]
 
 
 @every

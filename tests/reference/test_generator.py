@@ -108,3 +108,16 @@ def test_precession_of_cones(stored: list[dict[str, Any]]) -> None:
         assert gap < 1e-24 * turn, case["id"]
         seen += 1
     assert seen >= 12
+
+
+@pytest.mark.parametrize("equation", ["cubic", "drag"])
+def test_the_motions_of_other_equations_are_those_of_their_generator(
+    repository: Path, equation: str
+) -> None:
+    command = (sys.executable, "-m", f"references.equations.{equation}", "1")
+    made = subprocess.run(
+        command, cwd=repository, capture_output=True, text=True, check=True
+    ).stdout
+    stored = json.loads((repository / "tests" / "reference" / f"{equation}.json").read_text())
+    assert json.loads(made)["times"] == stored["times"]
+    assert json.loads(made)["cases"] == stored["cases"][:1]

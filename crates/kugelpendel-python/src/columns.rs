@@ -7,6 +7,32 @@ use pyo3::prelude::*;
 
 pub(crate) type Numbers<'py> = Bound<'py, PyArray1<f64>>;
 
+/// The smallest and the largest of some numbers, 0 and 0 of none; nothing where one of them is not finite.
+#[pyfunction]
+pub(crate) fn extent(numbers: PyReadonlyArray1<'_, f64>) -> PyResult<Option<(f64, f64)>> {
+    /// Numbers side by side, so that one comparison need not wait for the other.
+    const LANES: usize = 8;
+    let numbers = numbers.as_slice()?;
+    let first = numbers.first().copied().unwrap_or_default();
+    let (mut least, mut most, mut finite) = ([first; LANES], [first; LANES], [0.0; LANES]);
+    let (chunks, rest) = numbers.as_chunks::<LANES>();
+    let mut look = |chunk: &[f64; LANES]| {
+        for (lane, &number) in chunk.iter().enumerate() {
+            least[lane] = if number < least[lane] { number } else { least[lane] };
+            most[lane] = if number > most[lane] { number } else { most[lane] };
+            // Anything but 0 once a number is not finite.
+            finite[lane] += number * 0.0;
+        }
+    };
+    chunks.iter().for_each(&mut look);
+    let mut last = [first; LANES];
+    last[..rest.len()].copy_from_slice(rest);
+    look(&last);
+    let is_finite = finite == [0.0; LANES];
+    let (least, most) = (least.into_iter().fold(first, f64::min), most.into_iter().fold(first, f64::max));
+    Ok(is_finite.then_some((least, most)))
+}
+
 /// # Errors
 /// An unknown kind.
 pub(crate) fn known_launcher(kind: &str) -> PyResult<(usize, Launcher)> {

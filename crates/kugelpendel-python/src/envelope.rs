@@ -1,6 +1,6 @@
 //! Averaged motions: flat arrays in, flat arrays out.
 
-use crate::columns::{Numbers, new_array};
+use crate::columns::{Columns, Numbers, new_array};
 use crate::given::{Problems, Told, bad, each_case, problems, tell};
 use crate::signal::{Signal, lock};
 use kugelpendel::{Envelope, EnvelopeMotion, EnvelopeWalks, Halt, Invalid, Quantity, in_parallel};
@@ -23,8 +23,9 @@ pub(crate) struct EnvelopeMotions {
 
 #[pymethods]
 impl EnvelopeMotions {
-    /// Columns as for `RealMotions`.
+    /// Columns as for `RealMotions`, and one of what multiplies the intrinsic precession, 1 where it is not given.
     #[new]
+    #[pyo3(signature = (count, pendulum, launch, acting, exact, intrinsic=None))]
     fn new(
         py: Python<'_>,
         count: usize,
@@ -32,10 +33,15 @@ impl EnvelopeMotions {
         launch: (&str, Vec<PyReadonlyArray1<'_, f64>>),
         acting: HashMap<String, PyReadonlyArray1<'_, f64>>,
         exact: bool,
+        intrinsic: Option<PyReadonlyArray1<'_, f64>>,
     ) -> PyResult<Self> {
-        let motions = each_case(py, count, &pendulum, launch.0, &launch.1, &acting, |pendulum, launch, acting| {
-            EnvelopeMotion::under(&acting, pendulum, launch, exact)
-        })?;
+        let intrinsic = intrinsic.as_ref().map(|column| column.as_slice()).transpose()?.unwrap_or(&[1.0]);
+        let factors = Columns::of(vec![intrinsic], 1, count)?;
+        let motions =
+            each_case(py, count, &pendulum, launch.0, &launch.1, &acting, |pendulum, launch, acting, row| {
+                let [factor] = factors.row(row);
+                EnvelopeMotion::under(&acting, pendulum, launch, exact, factor)
+            })?;
         let walks = (0..count).map(|_| Mutex::default()).collect();
         Ok(Self { motions, walks })
     }

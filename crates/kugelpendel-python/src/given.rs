@@ -28,7 +28,7 @@ pub(crate) fn bad<M>(motions: &[Result<M, Invalid>]) -> impl Iterator<Item = (us
     motions.iter().enumerate().filter_map(|(index, motion)| Some((index, motion.as_ref().err()?)))
 }
 
-/// Makes a motion of each case, on all processors and without the interpreter, unless a signal arrives.
+/// Makes a motion of each case, of which it also gets the index, on all processors and without the interpreter, unless a signal arrives.
 pub(crate) fn each_case<M: Send>(
     py: Python<'_>,
     count: usize,
@@ -36,13 +36,13 @@ pub(crate) fn each_case<M: Send>(
     kind: &str,
     launches: &[PyReadonlyArray1<'_, f64>],
     acting: &Columned<'_>,
-    make: impl Fn(Pendulum, Launch, Acting) -> Result<M, Invalid> + Sync,
+    make: impl Fn(Pendulum, Launch, Acting, usize) -> Result<M, Invalid> + Sync,
 ) -> PyResult<Vec<Result<M, Invalid>>> {
     let (width, launch) = known_launcher(kind)?;
     let pendulums = Columns::checked(pendulums, PENDULUM.len(), count)?;
     let launches = Columns::checked(launches, width, count)?;
     let acting = Named::checked(acting, count)?.acting()?;
-    let one = |row: usize| make(pendulum(pendulums.row(row)), launch(&launches, row), acting(row));
+    let one = |row: usize| make(pendulum(pendulums.row(row)), launch(&launches, row), acting(row), row);
     if count <= FEW {
         return Ok(py.detach(|| (0..count).map(one).collect()));
     }

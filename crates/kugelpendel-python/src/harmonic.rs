@@ -33,7 +33,7 @@ impl HarmonicMotions {
             _ => return Err(PyValueError::new_err(format!("there is no law {law:?}"))),
         };
         let nothing = HashMap::new();
-        let motions = each_case(py, count, &pendulum, kind, &values, &nothing, |pendulum, launch, _| {
+        let motions = each_case(py, count, &pendulum, kind, &values, &nothing, |pendulum, launch, _, _| {
             HarmonicMotion::new(pendulum, launch, law)
         })?;
         Ok(Self { motions })

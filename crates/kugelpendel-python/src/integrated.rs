@@ -30,7 +30,7 @@ impl IntegratedMotions {
             _ => return Err(PyValueError::new_err(format!("there is no equation {equation:?}"))),
         };
         let nothing = HashMap::new();
-        let motions = each_case(py, count, &pendulum, launch.0, &launch.1, &nothing, |pendulum, launch, _| {
+        let motions = each_case(py, count, &pendulum, launch.0, &launch.1, &nothing, |pendulum, launch, _, _| {
             IntegratedMotion::new(pendulum, equation, launch)
         })?;
         Ok(Self(Stepped::new(motions)))

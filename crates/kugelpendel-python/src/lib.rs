@@ -39,6 +39,8 @@ mod _core {
         precession_pace, precession_stretches, settled, under_damping,
     };
     #[pymodule_export]
+    use crate::columns::extent;
+    #[pymodule_export]
     use crate::envelope::EnvelopeMotions;
     #[pymodule_export]
     use crate::exact::ExactMotions;

@@ -36,7 +36,7 @@ impl RealMotions {
             "rod" => Thread::Rod,
             _ => return Err(PyValueError::new_err(format!("there is no thread that {thread:?}"))),
         };
-        let motions = each_case(py, count, &pendulum, launch.0, &launch.1, &acting, |pendulum, launch, acting| {
+        let motions = each_case(py, count, &pendulum, launch.0, &launch.1, &acting, |pendulum, launch, acting, _| {
             RealMotion::under(&acting, pendulum, launch, thread, tolerance)
         })?;
         Ok(Self(Stepped::new(motions)))

@@ -182,6 +182,9 @@ impl<M: Readable> Stepped<M> {
         span: impl Fn(&M, f64, &mut Walk, Stop<'_>) -> Result<[f64; 2], Halt> + Sync,
     ) -> PyResult<Numbers<'py>> {
         let within = within.as_slice()?;
+        if within.len() != 1 && within.len() != self.motions.len() {
+            return Err(PyValueError::new_err("one time for all motions, or one for each"));
+        }
         let signal = Signal::default();
         let one = |index: usize, stop: Stop<'_>| match &self.motions[index] {
             Ok(motion) => {

@@ -47,7 +47,6 @@ pub use paper::equations::Equation;
 pub use paper::harmonic::{HarmonicLaw, HarmonicMotion, MAX_POWER, Powers};
 pub use paper::integrated::IntegratedMotion;
 pub use plane::budget::{ALIKE, Cause, Pace, PrecessionBudget, STALL, Stretch, stretches};
-pub use plane::decay::Decay;
 pub use plane::half_turn::{HalfTurn, critical_damping, under_damping};
 pub use plane::portrait::{
     EllipseForm, Equilibrium, Orbit, Portrait, Verdict, critical_amplitude, critical_anisotropy, intrinsic,

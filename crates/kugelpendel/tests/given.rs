@@ -133,7 +133,7 @@ fn a_drive_pumps_without_end_or_it_does_not() {
     let Err(Invalid::PumpingTooHard { keeps, amplitude, .. }) = refused else { panic!("{refused:?}") };
     assert!((keeps - std::f64::consts::PI * 1e-2 * 0.2).abs() < 1e-15 && (amplitude - 0.2).abs() < 1e-15);
     assert_eq!(pumping(driven(keeps, 1e-2)), Ok(UNIT));
-    assert!(EnvelopeMotion::under(&driven(1.0, 1e-2), UNIT, launch, true).is_err());
+    assert!(EnvelopeMotion::under(&driven(1.0, 1e-2), UNIT, launch, true, 1.0).is_err());
     assert!(RealMotion::under(&driven(1.0, 1e-2), UNIT, launch, Thread::Ends, 1e-17).is_err());
     assert!(RealMotion::under(&driven(keeps, 1e-2), UNIT, launch, Thread::Ends, 1e-17).is_ok());
 }

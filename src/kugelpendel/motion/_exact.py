@@ -214,7 +214,8 @@ class ExactMotion(Motion):
     @property
     def goes_slack(self) -> bool | NDArray[np.bool_]:
         """Whether a thread would go slack somewhere on the path (tension below zero)."""
-        slack = self.tension_range[..., 0] < 0
+        slack = np.asarray(self.tension_range[..., 0] < 0)
+        slack.flags.writeable = False
         return bool(slack) if self._shape == () else slack
 
     @kept

@@ -31,7 +31,7 @@ class Problems(Mapping[Index, str]):
     """Index and sentence of each bad case of an ensemble; empty where all are good.
 
     A sentence is made when it is read: a million cases of which all are bad take 9 MB, of which
-    one is bad some bytes (tests/motion/test_problems.py).
+    one is bad some bytes (tests/motion/test_bad_cases.py).
 
     Parameters
     ----------
@@ -57,6 +57,7 @@ class Problems(Mapping[Index, str]):
         """
         status = np.zeros(self._shape, np.uint8)
         status.flat[self._indices] = self._kinds
+        status.flags.writeable = False
         return status
 
     @property

@@ -10,7 +10,7 @@ from kugelpendel import _core
 from kugelpendel.errors import InvalidInput
 from kugelpendel.motion._forced import ForcedMotion
 from kugelpendel.motion._walk import SteppedMotion
-from kugelpendel.parameters import ForceParts, Forces, Launch, Numbers, Pendulum, one_number
+from kugelpendel.parameters import ForceParts, Forces, Launch, Pendulum, column, one_number
 
 Thread: TypeAlias = Literal["ends", "flies", "rod"]
 
@@ -125,20 +125,19 @@ class RealMotion(ForcedMotion, SteppedMotion):
         are fewer; later ones are known once the motion has been followed so far. A free pendulum
         with too little energy to come near the height of its support has no end.
         """
-        swings = 2 * np.pi * _LOOKED / np.asarray(self.angular_frequency)
-        return self._span_within(np.ravel(swings))
+        swings = 2 * np.pi * _LOOKED / self.angular_frequency
+        return self._span_within(column(swings, self.shape))
 
     @property
     def trust(self) -> str:
         """A sentence on where the motion holds."""
         return "Everywhere, as far as the forces are known; errors of the integration grow slowly."
 
-    def _check_times(self, times: Numbers) -> None:
-        is_one_way = self.drive is not None or self.thread == "flies"
-        if is_one_way and times.size and times.min() < 0:
+    def _check_start(self, first: float) -> None:
+        if first < 0 and (self.drive is not None or self.thread == "flies"):
             raise InvalidInput(
                 f"A driven or flying pendulum cannot be followed back before its launch, but "
-                f"asked for is {times.min():.6g} s."
+                f"asked for is {first:.6g} s."
             )
 
     def _ended(self, why: str) -> tuple[str, dict[str, str]]:

@@ -10,6 +10,7 @@ from typing import cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from kugelpendel import _core
 from kugelpendel.parameters import (
     InvalidInput,
     Launch,
@@ -37,7 +38,7 @@ def motion_shape(pendulum: Pendulum, launch: Launch) -> tuple[int, ...]:
 def checked_times(t: ArrayLike, numbers_each: int) -> Numbers:
     """The times as an array; `numbers_each` is how many results one time will make."""
     times = as_array(t, "The times", "s")
-    if not np.isfinite(times).all():
+    if _core.extent(times.ravel()) is None:
         wrong = times[~np.isfinite(times)]
         raise InvalidInput(
             f"Times must be finite, but {wrong.size} of {times.size} are not, the first of them "

@@ -5,12 +5,13 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import inf
+from math import inf, isfinite
 from typing import ClassVar, Protocol, TypeAlias, final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from kugelpendel import _core
 from kugelpendel.errors import InvalidInput, MotionEnded
 from kugelpendel.motion._base import MOST_EVENTS, EventKind, Motion
 from kugelpendel.motion._times import checked_grid, checked_times
@@ -114,8 +115,8 @@ class SteppedMotion(Motion):
         """The kind of error, and its other values, where a single motion has ended so."""
 
     @abstractmethod
-    def _check_times(self, times: Numbers) -> None:
-        """Refuse times before the motion begins."""
+    def _check_start(self, first: float) -> None:
+        """Refuse a first time, s, before the motion begins."""
 
     def position(self, t: ArrayLike) -> Numbers:
         """Position from the support, m, z down: shape (*shape, *t.shape, 3).
@@ -170,18 +171,19 @@ class SteppedMotion(Motion):
 
     def _times(self, t: ArrayLike, numbers_each: int) -> Numbers:
         times = checked_times(t, numbers_each * self._count)
-        if times.size and np.abs(times).max() > _LATEST:
+        first, last = _core.extent(times.ravel()) or (0.0, 0.0)
+        if max(-first, last) > _LATEST:
             wrong = times[np.abs(times) > _LATEST]
             raise InvalidInput(
                 f"An integration goes no further than {_LATEST:g} s from the launch, but "
                 f"{wrong.flat[0]} s is asked for; ExactMotion goes to any time."
             )
-        self._check_times(times)
+        self._check_start(first)
         return times
 
     def _shaped(self, filled: tuple[Numbers, Numbers, str], times: Numbers, *tail: int) -> Numbers:
         flat, ends, why = filled
-        if self.shape == () and np.isfinite(ends[0]):
+        if self.shape == () and isfinite(ends[0]):
             kind, values = self._ended(why)
             asked = {"first": (float(times.min()), "s"), "last": (float(times.max()), "s")}
             raise MotionEnded.of(kind, time=(float(ends[0]), "s"), **values, **asked)

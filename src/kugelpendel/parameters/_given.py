@@ -32,8 +32,8 @@ class Given:
     A single case that makes no sense is refused at once. A bad case of an ensemble is kept, and
     becomes NaN with a reason in the motion. What makes sense is written in the core.
 
-    Written on the standard library's dataclasses and not on attrs, whose import alone takes a
-    tenth of NumPy's (`import kugelpendel` may take half as long again as NumPy, and no more).
+    Written on the standard library's dataclasses and not on attrs: `import kugelpendel` may take
+    half as long again as NumPy and no more, and importing attrs would be a good part of that half.
     """
 
     part: ClassVar[str]

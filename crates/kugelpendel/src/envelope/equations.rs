@@ -277,7 +277,7 @@ impl AveragedEquations {
         Some([Complex64::new(0.25 * action / p, -along[0] / p), Complex64::new(0.25 * action / q, along[1] / q)])
     }
 
-    /// What all but the ideal motion and the drive adds to the velocity of a swing at the phase Θ in the frame of ψ.
+    /// What all but the ideal motion with its own Ω and the drive adds to the velocity of a swing at the phase Θ in the frame of ψ.
     pub(super) fn drift(&self, circles: &Circles, swing: &Swing, phase: f64) -> Complex64 {
         let gentle = self.gentle(circles, swing);
         let [ahead, behind] = gentle.coupled.unwrap_or_default();
@@ -289,7 +289,8 @@ impl AveragedEquations {
         // Rates of ln X, ln Y, of ψ and of Θ.
         let sizes = [2.0 * (gentle.fading[0] + ahead.re / p), 2.0 * (gentle.fading[1] + behind.re / q)];
         let (first, second) = (ahead.im / p, behind.im / q);
-        let (turned, phased) = (gentle.turned + 0.5 * (first + second), gentle.phase + 0.5 * (first - second));
+        let more = (self.intrinsic - 1.0) * swing.form.precession.value;
+        let (turned, phased) = (more + gentle.turned + 0.5 * (first + second), gentle.phase + 0.5 * (first - second));
         let changed = |harmonic: Dual| {
             let [first, second] = swing.along_actions(harmonic);
             first * sizes[0] + second * sizes[1]
@@ -352,7 +353,7 @@ impl AveragedEquations {
 
     /// Whether nothing acts at all.
     pub(super) fn is_ideal(&self) -> bool {
-        self.is_free() && self.turn == 0.0
+        self.is_free() && self.turn == 0.0 && self.intrinsic == 1.0
     }
 
     /// Whether nothing adds energy to the swing or takes it away: then no time brings it to the support.

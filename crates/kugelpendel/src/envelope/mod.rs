@@ -93,11 +93,20 @@ pub struct EnvelopeWalks([Option<Box<AveragedStepper>>; 2]);
 impl EnvelopeMotion {
     /// Under everything that acts; the pendulum is as given, without the bob's corrections. `exact` as in [`Self::new`].
     ///
+    /// `intrinsic` multiplies the intrinsic precession Ω, 1 for an ideal pendulum: it is what a support that stiffens with
+    /// amplitude, or a magnet below the bob, makes of κ in Ω = κ ω0 ab/l², where κ is 3/8 by itself.
+    ///
     /// # Errors
     /// What [`Acting::settle`] and [`Self::new`] refuse.
-    pub fn under(acting: &Acting, pendulum: Pendulum, launch: Launch, exact: bool) -> Result<Self, Invalid> {
+    pub fn under(
+        acting: &Acting,
+        pendulum: Pendulum,
+        launch: Launch,
+        exact: bool,
+        intrinsic: f64,
+    ) -> Result<Self, Invalid> {
         let effective = acting.settle(&pendulum, &launch)?;
-        Self::new(effective, launch, acting.forces(), acting.drive, exact)
+        Self::turning(effective, launch, acting.forces(), acting.drive, exact, intrinsic)
     }
 
     /// The averaged motion of this launch. With `exact`, everything is averaged over the closed form at any amplitude;
@@ -107,6 +116,17 @@ impl EnvelopeMotion {
     /// A pendulum or launch that makes no sense, one that rises to the support's level, and forces that change a swing
     /// too much to be averaged.
     pub fn new(pendulum: Pendulum, launch: Launch, forces: Forces, drive: Drive, exact: bool) -> Result<Self, Invalid> {
+        Self::turning(pendulum, launch, forces, drive, exact, 1.0)
+    }
+
+    fn turning(
+        pendulum: Pendulum,
+        launch: Launch,
+        forces: Forces,
+        drive: Drive,
+        exact: bool,
+        intrinsic: f64,
+    ) -> Result<Self, Invalid> {
         let motion = ExactMotion::new(pendulum, launch)?;
         let omega0 = pendulum.angular_frequency();
         forces.check()?;
@@ -124,7 +144,8 @@ impl EnvelopeMotion {
                 most,
             })?;
         }
-        let equations = AveragedEquations::new(&forces, drive, pendulum.length, omega0, exact);
+        let mut equations = AveragedEquations::new(&forces, drive, pendulum.length, omega0, exact);
+        equations.intrinsic = intrinsic;
         let [mut place, mut rate] = [[0.0; 3]; 2];
         motion.fill(Quantity::Position, Times::Scattered(&[0.0]), &mut place);
         motion.fill(Quantity::Velocity, Times::Scattered(&[0.0]), &mut rate);
@@ -155,14 +176,6 @@ impl EnvelopeMotion {
         }
         motion.start = Moment::of(sizes, [azimuth; 2]);
         Ok(motion)
-    }
-
-    /// The same with the intrinsic precession Ω multiplied by a factor: what a support that stiffens with amplitude, or a
-    /// magnet below the bob, makes of κ in Ω = κ ω0 ab/l², 3/8 in an ideal pendulum.
-    pub fn with_intrinsic_factor(mut self, factor: f64) -> Self {
-        self.equations.intrinsic = factor;
-        self.ideal = self.ideal.filter(|_| factor == 1.0);
-        self
     }
 
     /// Fills `out`, [`Envelope::width`] numbers to a time; beyond an end it is left as it was.

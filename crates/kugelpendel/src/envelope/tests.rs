@@ -4,7 +4,7 @@ use super::closed_form::ClosedForm;
 use super::drag::Speeds;
 use super::swing::{Swing, half_angle};
 use super::tableau::{ALL, DENSE, ERROR, STAGE, STAGES};
-use crate::{ExactMotion, Launch, Pendulum, Quantity, Times};
+use crate::{Acting, Drag, Envelope, EnvelopeMotion, EnvelopeWalks, ExactMotion, Launch, Pendulum, Quantity, Times};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -297,4 +297,63 @@ fn the_method_has_the_order_it_should() {
     for weights in DENSE {
         assert!(weights.iter().sum::<f64>().abs() < 1e-12);
     }
+}
+
+fn read(motion: &EnvelopeMotion, what: Envelope, time: f64) -> Vec<f64> {
+    let mut out = vec![f64::NAN; what.width()];
+    assert!(motion.fill(what, &[time], &mut out, &mut EnvelopeWalks::default(), &|| false).is_ok());
+    out
+}
+
+#[test]
+fn the_intrinsic_precession_is_multiplied_and_nothing_else() {
+    let launch = Launch::Ellipse { a: 0.3, b: 0.1, azimuth: 0.4 };
+    let still = Acting::default();
+    let dragged = Acting { drag: Some(Drag { linear: 1e-4, quadratic: 1e-3 }), ..still };
+    for acting in [still, dragged] {
+        let under = |intrinsic: f64| {
+            let Ok(motion) = EnvelopeMotion::under(&acting, UNIT, launch, true, intrinsic) else { unreachable!() };
+            motion
+        };
+        let (one, more) = (under(1.0), under(1.7));
+        let places = [Quantity::Position, Quantity::Velocity].map(Envelope::Point);
+        for what in places {
+            let launched = read(&one, what, 0.0).into_iter().zip(read(&more, what, 0.0));
+            launched.for_each(|(one, more)| assert!((one - more).abs() < 1e-15, "{what:?}: {one} and {more}"));
+        }
+        for time in [0.0, 30.0, 300.0] {
+            let (free, turned) = (exact_at(&one, time), exact_at(&more, time));
+            let [own, by_itself, _, _, _, da, db] = read(&more, Envelope::Rates, time)[..] else { unreachable!() };
+            assert_eq!(own, 0.0);
+            close(by_itself, 1.7 * turned.precession(), 1e-13);
+            let [_, ideal, _, _, _, fading, narrowing] = read(&one, Envelope::Rates, time)[..] else { unreachable!() };
+            close(ideal, free.precession(), 1e-13);
+            // The swing itself is a little another one, whose velocity at the launch has more from its turning.
+            close(da, fading, 1e-2);
+            close(db, narrowing, 3e-2);
+            // The velocity is the rate of the place.
+            let step = 1e-4;
+            let [after, before] = [step, -step].map(|step| read(&more, places[0], time + step));
+            for (k, velocity) in read(&more, places[1], time).into_iter().enumerate() {
+                let rate = (after[k] - before[k]) / (2.0 * step);
+                assert!((rate - velocity).abs() < 2e-6, "{time}: {velocity} is not {rate}");
+            }
+        }
+    }
+    let turned = |factor: f64| {
+        let Ok(motion) = EnvelopeMotion::under(&still, UNIT, launch, true, factor) else { unreachable!() };
+        read(&motion, Envelope::Azimuth, 100.0)[0] - read(&motion, Envelope::Azimuth, 0.0)[0]
+    };
+    assert_eq!(turned(0.0), 0.0);
+    let axes = {
+        let Ok(motion) = EnvelopeMotion::under(&still, UNIT, launch, true, 1.7) else { unreachable!() };
+        read(&motion, Envelope::SemiAxes, 50.0)
+    };
+    close(turned(1.7), 1.7 * exact(axes[0], axes[1]).precession() * 100.0, 1e-12);
+}
+
+/// The ideal motion between the turning radii of an averaged one.
+fn exact_at(motion: &EnvelopeMotion, time: f64) -> ExactMotion {
+    let axes = read(motion, Envelope::SemiAxes, time);
+    exact(axes[0], axes[1])
 }

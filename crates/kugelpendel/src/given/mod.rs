@@ -1,6 +1,7 @@
 //! What is given: pendulum, launch, what acts, times; and what is wrong with it where it makes no sense.
 
 pub(crate) mod bob;
+pub(crate) mod decay;
 pub(crate) mod drag;
 pub(crate) mod drive;
 pub(crate) mod forces;
@@ -13,6 +14,7 @@ pub(crate) mod times;
 pub(crate) mod wire;
 
 pub use bob::Bob;
+pub use decay::Decay;
 pub use drag::{Drag, StillAir};
 pub use drive::Drive;
 pub use forces::{Acting, Forces, Thread};

@@ -1,8 +1,7 @@
 //! What turns the plane of a swing and what becomes of it: its budget by causes, the portrait of an uneven clamp, half
-//! turns, decay, pushes, and where all of them together settle.
+//! turns, pushes, and where all of them together settle.
 
 pub(crate) mod budget;
-pub(crate) mod decay;
 pub(crate) mod half_turn;
 pub(crate) mod portrait;
 pub mod push;

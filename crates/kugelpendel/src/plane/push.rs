@@ -5,8 +5,8 @@
 //! −2(γ + ka)(b/a) cot 2φ, which cancels the intrinsic (3/8)ω0 ab/l² at tan 2φ = 8l²/(3Qa²), Q = ω0/2(γ + ka).
 //! The method is that of R. A. Schumacher and B. Tarbet, arXiv:0902.1829 (2009).
 
+use crate::given::decay::Decay;
 use crate::given::pendulum::Pendulum;
-use crate::plane::decay::Decay;
 use std::f64::consts::PI;
 
 /// The phase in rad, from 0 to π/4, at which the push that holds the amplitude `a` in m cancels the intrinsic precession.
@@ -28,8 +28,8 @@ pub fn final_amplitude(decay: &Decay, push: f64, phase: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{best_phase, final_amplitude, holding};
+    use crate::given::decay::Decay;
     use crate::given::pendulum::Pendulum;
-    use crate::plane::decay::Decay;
 
     #[test]
     fn the_push_that_holds_an_amplitude_leads_to_it() {

@@ -1,8 +1,8 @@
 //! What the plane of a real swing comes to, with all that acts on it: the averaged motion, run until it shows.
 
 use crate::envelope::{Envelope, EnvelopeMotion, EnvelopeWalks};
+use crate::given::decay::Decay;
 use crate::plane::budget::STALL;
-use crate::plane::decay::Decay;
 use crate::plane::portrait::Verdict;
 use std::f64::consts::{PI, TAU};
 

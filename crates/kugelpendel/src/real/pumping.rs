@@ -2,6 +2,7 @@
 //! support for want of drag.
 
 use crate::exact::motion::ExactMotion;
+use crate::given::decay::Decay;
 use crate::given::drag::Drag;
 use crate::given::drive::Drive;
 use crate::given::forces::Acting;
@@ -16,7 +17,8 @@ const LOOKS: usize = 400;
 /// Refuses a drive that gives more than the drag takes at every amplitude up to the support.
 ///
 /// Gain and loss are those of small straight swings: in each half swing the push p gives Δa = p cos φ/ω0, φ the phase after
-/// the closest approach, and drag takes (π/ω0)(γa + (4/3π) c ω0 a²). A launch that rises to the support by itself passes.
+/// the closest approach, and drag takes
+/// (π/ω0)(γa + ka²), see [`Decay`]. A launch that rises to the support by itself passes.
 ///
 /// # Errors
 /// The pumping, with the push that keeps the amplitude of the launch where there is one.
@@ -30,7 +32,8 @@ fn refuse_pumping(pendulum: &Pendulum, launch: &Launch, drag: &Drag, drive: &Dri
     }
     let (length, omega0, push) = (pendulum.length, pendulum.angular_frequency(), drive.push());
     let first = exact.turning_radii()[0];
-    let loss = |a: f64| PI * drag.linear * a + 4.0 / 3.0 * drag.quadratic * omega0 * (a * a);
+    let decay = Decay::new(drag.linear, drag.quadratic, omega0);
+    let loss = |a: f64| PI * decay.rate(a) * a;
     let step = (length - first) / (LOOKS - 1) as f64;
     let amplitude = |k: usize| if k == LOOKS - 1 { length } else { first + step * k as f64 };
     if (0..LOOKS).map(amplitude).any(|a| push * drive.leverage(a) <= loss(a)) {

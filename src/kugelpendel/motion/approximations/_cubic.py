@@ -11,10 +11,12 @@ from kugelpendel.motion.approximations._integrated import IntegratedMotion
 class CubicMotion(IntegratedMotion):
     """The law to third order in x, y, integrated without further approximation: Olsson's (13).
 
-    Olsson (1981), eqs. (13a), (13b). Integration error: 1e-12 l over 100 swings
-    (tests/motion/approximations/test_integrated.py). Where the bob reaches the height of the
-    support the motion would leave the sphere: `span` ends there. Raises InvalidInput for a
-    launch on the upper half of the sphere; in an ensemble such a case is NaN.
+    Olsson (1981), eqs. (13a), (13b). Over 100 swings, to t = 628/ω0, the integration's error stays
+    below 1e-12 l where the energy keeps the bob below 60° from the vertical: of 200 random launches
+    the worst had 3.6e-13 l, against the same equation in fixed point
+    (references/equations/cubic.py). Where the bob reaches the height of the support the motion
+    would leave the sphere: `span` ends there. Raises InvalidInput for a launch on the upper half of
+    the sphere; in an ensemble such a case is NaN.
     """
 
     _equation = "cubic"

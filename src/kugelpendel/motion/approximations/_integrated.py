@@ -11,7 +11,7 @@ from kugelpendel import _core
 from kugelpendel.motion._exact import ExactMotion
 from kugelpendel.motion._kept import kept
 from kugelpendel.motion._walk import SteppedMotion
-from kugelpendel.parameters import Launch, Numbers, Pendulum, Scalars, column
+from kugelpendel.parameters import Launch, Pendulum, Scalars, column
 
 
 class IntegratedMotion(SteppedMotion):
@@ -96,7 +96,7 @@ class IntegratedMotion(SteppedMotion):
     def trust(self) -> str:
         """A sentence that says where the motion holds."""
 
-    def _check_times(self, times: Numbers) -> None:
+    def _check_start(self, first: float) -> None:
         """All times are good: these motions can be followed backwards too."""
 
     def _ended(self, why: str) -> tuple[str, dict[str, str]]:

@@ -11,10 +11,12 @@ from kugelpendel.motion.approximations._integrated import IntegratedMotion
 class PlaneMotion(IntegratedMotion):
     """The exact law in x and y alone, integrated: Olsson (1981), eq. (12).
 
-    As printed, the second term lacks a factor 1/l². Error: 1e-12 l over 100 swings
-    (tests/motion/approximations/test_integrated.py). Where the bob reaches the height of the
-    support the equation divides by zero: `span` ends there. Raises InvalidInput for a launch on the
-    upper half of the sphere; in an ensemble such a case is NaN.
+    As printed, the second term lacks a factor 1/l². Over 100 swings the error stays below 1e-12 l
+    where the energy keeps the bob below 60° from the vertical, and below 2e-11 l where it keeps it
+    below 89°, next to where the equation divides by zero; of 200 random launches each the worst had
+    4.3e-13 l and 8.4e-12 l (tests/motion/approximations/test_integrated.py). Where the bob reaches
+    the height of the support `span` ends. Raises InvalidInput for a launch on the upper half of the
+    sphere; in an ensemble such a case is NaN.
     """
 
     _equation = "plane"

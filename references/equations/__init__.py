@@ -1,0 +1,1 @@
+"""Reference motions of equations that have no closed form."""
