@@ -63,7 +63,7 @@ fn averaged(
     let effective = acting.effective_pendulum(&made(pendulum)).map_err(wrong)?;
     let forces = acting.forces();
     let decay = Decay::new(forces.damping, forces.quadratic, effective.angular_frequency());
-    let motion = EnvelopeMotion::at_apsis(effective, ellipse, forces, acting.drive, true).map_err(wrong)?;
+    let motion = EnvelopeMotion::at_apsis(effective, ellipse, forces, acting.drive, 1.0).map_err(wrong)?;
     Ok((motion, forces, decay, acting.drive != Drive::Absent))
 }
 

@@ -3,7 +3,9 @@
 use crate::columns::{Columns, Numbers, new_array};
 use crate::given::{Problems, Told, bad, each_case, problems, tell};
 use crate::signal::{Signal, lock};
-use kugelpendel::{Envelope, EnvelopeMotion, EnvelopeWalks, Halt, Invalid, Quantity, in_parallel};
+use kugelpendel::{
+    Drive, Envelope, EnvelopeMotion, EnvelopeWalks, Forces, Halt, Invalid, Pendulum, Quantity, in_parallel,
+};
 
 /// Motions that are integrated at once before anyone asks for an interruption.
 const GROUP: usize = 256;
@@ -139,4 +141,40 @@ impl EnvelopeMotions {
         signal.raised()?;
         Ok(spans.into_pyarray(py))
     }
+}
+
+/// Turning radii a and b in m and azimuths in rad of averaged motions, three numbers to a time in s, NaN where a motion
+/// has ended. Each begins at t = 0 as an ellipse: a column each of length, gravity; a, b, azimuth; γ, c, Ω_z; δ, χ; Δγ, χd;
+/// and of what multiplies the intrinsic precession. Signs and sizes are free, as a search among them needs it: drag may
+/// bring energy in, and the ground turn faster than the Earth.
+#[pyfunction]
+pub(crate) fn averaged_ellipses<'py>(
+    py: Python<'py>,
+    count: usize,
+    columns: Vec<PyReadonlyArray1<'py, f64>>,
+    times: PyReadonlyArray1<'py, f64>,
+) -> PyResult<Numbers<'py>> {
+    let columns = Columns::checked(&columns, 13, count)?;
+    let times = times.as_slice()?;
+    let signal = Signal::default();
+    let fill = |row: usize, out: &mut [f64]| {
+        out.fill(f64::NAN);
+        let [length, gravity, a, b, azimuth, damping, quadratic, turn, uneven @ .., factor] = columns.row::<13>(row);
+        let [anisotropy, axis, damping_anisotropy, damping_axis] = uneven;
+        let rotation = [0.0, turn];
+        let forces = Forces { damping, quadratic, rotation, anisotropy, axis, damping_anisotropy, damping_axis };
+        let pendulum = Pendulum { length, gravity, mass: 1.0 };
+        let start = [a, b, azimuth];
+        let Ok(motion) = EnvelopeMotion::at_apsis(pendulum, start, forces, Drive::Absent, factor) else { return };
+        // What is beyond an end stays NaN.
+        let _ = motion.fill(Envelope::Ellipse, times, out, &mut EnvelopeWalks::default(), &|| signal.ends_work());
+    };
+    let size = 3 * times.len();
+    let array = new_array(py, size * count, |out| {
+        if size > 0 {
+            in_parallel(|| out.par_chunks_mut(size).enumerate().for_each(|(row, out)| fill(row, out)));
+        }
+    });
+    signal.raised()?;
+    Ok(array)
 }

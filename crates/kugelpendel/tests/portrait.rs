@@ -241,7 +241,7 @@ fn critical_amplitude_is_the_inverse() {
 
 /// By how much the plane of the averaged motion turned, and the largest turn from the start on the way.
 fn averaged(pendulum: Pendulum, ellipse: [f64; 3], forces: Forces, time: f64) -> (f64, f64) {
-    let motion = EnvelopeMotion::at_apsis(pendulum, ellipse, forces, Drive::Absent, true).unwrap();
+    let motion = EnvelopeMotion::at_apsis(pendulum, ellipse, forces, Drive::Absent, 1.0).unwrap();
     let times: Vec<f64> = (0..=2000).map(|k| time * f64::from(k) / 2000.0).collect();
     let mut azimuth = vec![0.0; times.len()];
     motion.fill(Envelope::Azimuth, &times, &mut azimuth, &mut EnvelopeWalks::default(), &|| false).unwrap();

@@ -10,6 +10,7 @@ from kugelpendel.errors._types import MissingExtra
 
 EXTRAS = {
     "run": ("h5netcdf", "h5py", "matplotlib", "pandas", "pint", "pyarrow", "rich", "xarray"),
+    "fit": ("scipy", "xarray"),
     "paper": ("markdown-it-py", "mpmath", "rich", "sympy"),
 }
 """The packages of each extra in pyproject.toml."""

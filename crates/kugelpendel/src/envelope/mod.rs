@@ -66,6 +66,8 @@ pub enum Envelope {
     SemiAxes,
     /// ψ of the major axis, rad, continuous.
     Azimuth,
+    /// a, b and ψ, as above.
+    Ellipse,
     /// Θ since the outer turning point that was nearest at the launch, rad, continuous.
     Phase,
     /// Of the plane, rad/s, by their causes: the Earth, the ideal motion, the suspension's stiffness, its damping, the
@@ -77,7 +79,7 @@ impl Envelope {
     /// How many numbers it takes for each time.
     pub fn width(self) -> usize {
         match self {
-            Self::Point(_) => 3,
+            Self::Point(_) | Self::Ellipse => 3,
             Self::SemiAxes => 2,
             Self::Azimuth | Self::Phase => 1,
             Self::Rates => 7,
@@ -160,6 +162,8 @@ impl EnvelopeMotion {
     /// At an outer turning point of the mean motion itself: turning radii a and b in m, b with the sign of the sense, and the
     /// azimuth of the major axis in rad. A launch would be such an ellipse and what the forces add to its velocity.
     ///
+    /// Averaged over the exact swing; `intrinsic` as in [`Self::under`].
+    ///
     /// # Errors
     /// As [`Self::new`].
     pub fn at_apsis(
@@ -167,9 +171,10 @@ impl EnvelopeMotion {
         [a, b, azimuth]: [f64; 3],
         forces: Forces,
         drive: Drive,
-        exact: bool,
+        intrinsic: f64,
     ) -> Result<Self, Invalid> {
-        let mut motion = Self::new(pendulum, Launch::Apsides { a, b, azimuth }, forces, drive, exact)?;
+        let launch = Launch::Apsides { a, b, azimuth };
+        let mut motion = Self::turning(pendulum, launch, forces, drive, true, intrinsic)?;
         let mut sizes = motion.equations.amplitudes([a / pendulum.length, b.abs() / pendulum.length]);
         if b < 0.0 {
             sizes.reverse();
@@ -314,6 +319,10 @@ impl EnvelopeMotion {
         match what {
             Envelope::Azimuth | Envelope::Phase => {}
             Envelope::SemiAxes => out.copy_from_slice(&swing.radii().map(|radius| length * radius)),
+            Envelope::Ellipse => {
+                let [a, b] = swing.radii().map(|radius| length * radius);
+                out.copy_from_slice(&[a, b, azimuth]);
+            }
             Envelope::Rates => {
                 for (out, share) in out.iter_mut().zip(self.equations.shares(&circles)) {
                     *out = share * self.omega0;

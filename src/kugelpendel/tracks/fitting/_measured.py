@@ -1,0 +1,93 @@
+"""The azimuth alone, with the size and the shape of the ellipse as they were measured.
+
+Recorded decays are often no γ + c; then a model of a(t) is wrong, and what it gets wrong goes into
+the rates of the plane. Here it need not be right: ψ' depends on a, b and ψ, and all are measured.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from kugelpendel.motion import EnvelopeMotion, ExactMotion
+from kugelpendel.parameters import Launch, Numbers, Pendulum, Suspension
+from kugelpendel.tracks.fitting._intervals import NOTHING, Judge
+from kugelpendel.tracks.fitting._model import IDEAL, SHAPE, Measured
+from kugelpendel.tracks.fitting._results import FittedModel
+from kugelpendel.tracks.fitting._search import inverse
+
+_UNEVEN = 1e-6
+"""δ/ω0 at which its share of the rate is read off: small, as the share is linear in it."""
+
+
+def azimuth_alone(
+    name: str, measured: Measured, judge: Judge, with_anisotropy: bool
+) -> FittedModel:
+    """ψ = ψ0 − Ω_z t + κ∫ω0 ab/l² dt, and where asked for what δ makes, by linear least squares.
+
+    Parameters
+    ----------
+    name
+        The model's.
+    measured
+        What is fitted.
+    judge
+        For intervals. Those of this model have √(χ²/ndof) multiplied in where it is above 1: it
+        is an empirical one, and its χ² says how far it is from the truth.
+    with_anisotropy
+        Whether δ cos 2χ and δ sin 2χ are free as well.
+    """
+    rates = _rates(measured, with_anisotropy)
+    time = measured.time
+    columns = {"azimuth": np.ones_like(time), "rotation": -time} | {
+        each: _integrated(time, rate) for each, rate in rates.items()
+    }
+    error = np.sqrt(np.linalg.inv(measured.whitening.swapaxes(1, 2) @ measured.whitening)[:, 2, 2])
+    design = np.stack(list(columns.values()), axis=1) / error[:, None]
+    azimuth = measured.values[:, 2]
+    found, *_ = np.linalg.lstsq(design, azimuth / error, rcond=None)
+    white = azimuth / error - design @ found
+    covariance = inverse(design)
+    degrees = max(len(time) - len(found), 1)
+    chi_square = float(white @ white)
+    misfit = np.sqrt(max(chi_square / degrees, 1.0))
+    factor = max(judge.widened(white[None], chi_square, degrees), misfit)
+    t = judge.quantile(degrees)
+    stderr = factor * np.sqrt(np.diag(covariance))
+    parameters = {
+        each: judge.estimated(each, float(value), float(error_), t)
+        for each, value, error_ in zip(columns, found, stderr, strict=True)
+    }
+    nothing = np.full(len(time), NOTHING)
+    size = np.sqrt(np.diag(covariance))
+    return FittedModel(
+        name, parameters, covariance / np.outer(size, size), chi_square, degrees,
+        not np.isfinite(found).all(), judge.time, nothing, nothing, design @ found * error,
+        nothing, nothing, white * error,
+    )  # fmt: skip
+
+
+def _rates(measured: Measured, with_anisotropy: bool) -> dict[str, Numbers]:
+    """Rate of the plane in each window per unit of κ, of δ cos 2χ and δ sin 2χ, by the core."""
+    a, b, azimuth = measured.values.T
+    middle = int(np.argmin(np.abs(measured.time)))
+    centre = dict(zip(SHAPE, (a[middle], b[middle], azimuth[middle]), strict=True))
+    lengths, gravities, omega0 = measured.pendulum(measured.row(centre)[None])
+    pendulum = Pendulum(float(lengths[0]), float(gravities[0]))
+    b = np.clip(b, -0.999 * a, 0.999 * a)
+    launch = Launch.apsides(a, b, azimuth - np.pi * np.rint(azimuth / np.pi))
+    rates: dict[str, Numbers] = {
+        "intrinsic": np.asarray(ExactMotion(pendulum, launch).precession) / IDEAL
+    }
+    if with_anisotropy:
+        delta = _UNEVEN * float(omega0[0])
+        for each, axis in (("anisotropy_cos", 0.0), ("anisotropy_sin", np.pi / 4)):
+            motion = EnvelopeMotion(pendulum, launch, suspension=Suspension(delta, axis))
+            rates[each] = np.asarray(motion.rates(0.0).anisotropy) / delta
+    return rates
+
+
+def _integrated(time: Numbers, rate: Numbers) -> Numbers:
+    """∫ rate dt from t = 0 by trapezoids."""
+    steps = 0.5 * (rate[1:] + rate[:-1]) * np.diff(time)
+    whole = np.concatenate([[0.0], np.cumsum(steps)])
+    return whole - np.interp(0.0, time, whole)

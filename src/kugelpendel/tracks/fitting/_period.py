@@ -1,0 +1,104 @@
+"""The period against the amplitude, and what a support that stiffens would make of it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from kugelpendel.parameters import Numbers
+from kugelpendel.tracks._statistics import student
+from kugelpendel.tracks.fitting._intervals import undetermined
+from kugelpendel.tracks.fitting._model import IDEAL, INTRINSIC
+from kugelpendel.tracks.fitting._results import Estimate, FittedModel, PeriodTable, Stiffening
+from kugelpendel.tracks.fitting._search import inverse
+
+THEORY = -1 / 16
+"""d ln ω/d((a² + b²)/l²) of an ideal pendulum: Olsson (1981), eq. (26)."""
+
+
+def period_table(ellipses: Any, length: float, scaled: bool) -> PeriodTable | None:
+    """Ln ω against (a² + b²)/l² and against time; None where no frequency was measured.
+
+    Parameters
+    ----------
+    ellipses
+        As `fit` got them.
+    length
+        m.
+    scaled
+        Whether the track is in metres; without, only a drift with no slope at all can be given.
+    """
+    frequency = ellipses["frequency"].values
+    error = ellipses["frequency_stderr"].values / frequency
+    if not np.isfinite(frequency).all() or not (error > 0).all():
+        return None
+    size = (ellipses["a"].values ** 2 + ellipses["b"].values ** 2) / length**2
+    if not scaled:
+        size = np.zeros_like(size)
+    time = ellipses["time"].values - float(ellipses["time"].values.mean())
+    logs = np.log(frequency)
+    ones = np.ones_like(time)
+    fits = {
+        "theory": _line(logs - THEORY * size, [ones], error),
+        "drift": _line(logs - THEORY * size, [ones, time], error),
+        "slope": _line(logs, [ones, size], error) if scaled else None,
+        "both": _line(logs, [ones, size, time], error) if scaled else None,
+    }
+    nothing = undetermined("", "scale"), undetermined("1/s", "scale")
+    one = fits["slope"], fits["both"]
+    return PeriodTable(
+        slope=_told(one[0], 1, "") if one[0] else nothing[0],
+        theory=THEORY,
+        drift=_told(fits["drift"], 1, "1/s"),
+        both=(_told(one[1], 1, ""), _told(one[1], 2, "1/s")) if one[1] else nothing,
+        chi_square={name: one[2] for name, one in fits.items() if one},
+        degrees=len(time) - 2,
+    )
+
+
+def stiffening(model: FittedModel | None, period: PeriodTable | None) -> Stiffening | None:
+    """η from κ and from the slope of the period; None where one of them is not there.
+
+    Of ⟨ρ⁴⟩ = A₊⁴ + A₋⁴ + 4A₊²A₋² follow κ = 3/8 − η/4 and a slope of −1/16 + (3/8)η.
+    """
+    if model is None or period is None:
+        return None
+    kappa = model.parameters[INTRINSIC]
+    if "not determined" in (kappa.verdict, period.slope.verdict):
+        return None
+    first = _scaled(kappa, -4.0, 4 * IDEAL)
+    second = _scaled(period.slope, 8 / 3, -8 / 3 * THEORY)
+    weights = np.array([1 / first.stderr**2, 1 / second.stderr**2])
+    mean = float(weights @ [first.value, second.value] / weights.sum())
+    error = float(1 / np.sqrt(weights.sum()))
+    apart = abs(first.value - second.value)
+    joint = Estimate(mean, error, mean - 1.96 * error, mean + 1.96 * error)
+    return Stiffening(
+        first, second, joint, apart < 2 * float(np.hypot(first.stderr, second.stderr))
+    )
+
+
+def _line(
+    values: Numbers, columns: list[Numbers], error: Numbers
+) -> tuple[Numbers, Numbers, float, int]:
+    """Coefficients, their covariance, χ² and degrees of freedom."""
+    design = np.stack(columns, axis=1) / error[:, None]
+    found, *_ = np.linalg.lstsq(design, values / error, rcond=None)
+    rest = values / error - design @ found
+    return found, inverse(design), float(rest @ rest), max(len(values) - len(found), 1)
+
+
+def _told(line: tuple[Numbers, Numbers, float, int] | None, index: int, unit: str) -> Estimate:
+    assert line is not None
+    found, covariance, chi_square, degrees = line
+    error = float(np.sqrt(covariance[index, index] * max(chi_square / degrees, 1.0)))
+    if not np.isfinite(error):
+        return undetermined(unit, "wide")
+    value, t = float(found[index]), student(degrees)
+    return Estimate(value, error, value - t * error, value + t * error, unit)
+
+
+def _scaled(one: Estimate, factor: float, more: float) -> Estimate:
+    ends = sorted((one.low * factor + more, one.high * factor + more))
+    return Estimate(one.value * factor + more, abs(factor) * one.stderr, ends[0], ends[1])

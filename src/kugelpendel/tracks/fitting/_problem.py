@@ -1,0 +1,209 @@
+"""What is fitted: ellipses in metres, where the search begins, what is free in each model."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from kugelpendel.errors import InvalidInput, require_extra
+from kugelpendel.parameters import Numbers, Site
+from kugelpendel.tracks._statistics import chi_square_limit
+from kugelpendel.tracks._track import Track
+from kugelpendel.tracks.fitting._model import (
+    ALL,
+    DAMPING,
+    FORCES,
+    IDEAL,
+    INTRINSIC,
+    SHAPE,
+    TILT,
+    Measured,
+)
+from kugelpendel.tracks.fitting._search import Found, search
+from kugelpendel.tracks.reduction import ellipses as ellipses_of
+
+_LEAST = 6
+"""Windows that a fit needs: three numbers each, for eight parameters and twelve with nuisances."""
+
+_GUESS = 0.02
+"""a/l that is assumed of a track without a scale, where κ is free to make up for it."""
+
+
+def silent(share: float) -> None:
+    """A progress that nobody watches."""
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Ellipses, and what can be asked of them.
+
+    Attributes
+    ----------
+    ellipses
+        The data set.
+    measured
+        The same in metres, with their whitening.
+    scale
+        Metres per unit of the track.
+    scaled
+        Whether the track is in metres.
+    middle
+        Index of the window at t0.
+    start
+        Where the search begins, in the order of `ALL`.
+    free
+        The free parameters of each model.
+    sizes
+        Standard deviations of the nuisances of a stated size.
+    latitude
+        rad, where it was given.
+    """
+
+    ellipses: Any
+    measured: Measured
+    scale: float
+    scaled: bool
+    middle: int
+    start: Numbers
+    free: Mapping[str, tuple[str, ...]]
+    sizes: Mapping[str, float]
+    latitude: float | None
+
+    def stated(self, model: str) -> dict[str, float]:
+        """The nuisances of a model that have a stated size; one alone is entirely free."""
+        has_both = {*DAMPING, *TILT} <= set(self.free[model])
+        return dict(self.sizes) if has_both else {}
+
+    def solved(self, model: str, begin: Numbers) -> Found:
+        """The least-squares fit of a model from a set of parameters."""
+        row = begin.copy()
+        if model == "intrinsic_known":
+            assert self.latitude is not None
+            row[ALL.index("rotation")] = float(np.asarray(Site(self.latitude).vertical_rotation))
+        return search(self.measured, row, self.free[model], self.stated(model))
+
+
+def problem_of(
+    ellipses: Any,
+    length: float | None,
+    gravity: float,
+    latitude: float | None,
+    damping_unevenness: float,
+    tilt: float,
+    tell: Callable[[float], None],
+) -> Problem:
+    """The problem that `fit` solves; raises what it does."""
+    require_extra("fit", "kugelpendel.tracks", "scipy", "xarray")
+    sizes = {"damping_unevenness": damping_unevenness, "tilt": tilt, "gravity": gravity}
+    if length is not None:
+        sizes["length"] = length
+    for name, value in sizes.items():
+        if not 0 < value < np.inf:
+            raise InvalidInput.of("fit_positive", what=name, seen=float(value))
+    if latitude is not None:
+        Site(latitude)  # refuses what is no latitude
+    if isinstance(ellipses, Track):
+        ellipses = ellipses_of(ellipses, progress=lambda share: tell(0.3 * share))
+    windows = ellipses.sizes["time"]
+    if windows < _LEAST:
+        raise InvalidInput.of("fit_windows", windows=windows, least=_LEAST)
+    middle = windows // 2
+    scaled = ellipses.attrs["unit"] == "m"
+    measured, scale = measured_of(ellipses, middle, length, gravity, scaled)
+    if ellipses.attrs["planar"]:
+        _refuse_plane(ellipses)
+    start, decay = _start(measured)
+    names = (*SHAPE, *FORCES) if scaled else (*SHAPE, *FORCES, INTRINSIC)
+    wide = (*names, *DAMPING, *TILT)
+    free: dict[str, tuple[str, ...]] = {
+        "headline": wide,
+        "narrow": names,
+        "uneven": (*names, *DAMPING),
+        "tilted": (*names, *TILT),
+    }
+    if scaled:
+        free |= {"intrinsic": (*wide, INTRINSIC), "intrinsic_narrow": (*names, INTRINSIC)}
+    if scaled and latitude is not None:
+        known = (name for name in (*names, INTRINSIC) if name != "rotation")
+        free["intrinsic_known"] = tuple(known)
+    nuisances: dict[str, float] = dict.fromkeys(TILT, tilt)
+    nuisances |= dict.fromkeys(DAMPING, damping_unevenness * decay)
+    return Problem(ellipses, measured, scale, scaled, middle, start, free, nuisances, latitude)
+
+
+def measured_of(
+    ellipses: Any, middle: int, length: float | None, gravity: float, scaled: bool
+) -> tuple[Measured, float]:
+    """What is fitted, and metres per unit of the track."""
+    time = ellipses["time"].values
+    values = np.stack([ellipses[name].values for name in SHAPE], axis=-1)
+    covariance = ellipses["covariance"].values[:, :3, :3].copy()
+    frequency = _frequency(ellipses, middle, length, gravity)
+    scale = 1.0
+    if not scaled:
+        reach = length if length is not None else gravity / frequency**2
+        scale = _GUESS * reach / float(np.median(values[:, 0]))
+    values[:, :2] *= scale
+    covariance[:, :2, :] *= scale
+    covariance[:, :, :2] *= scale
+    # Where there is no noise at all, a trace of it keeps the matrices regular.
+    floor = np.array([1e-12, 1e-12, 1e-12]) * np.array([values[middle, 0]] * 2 + [1.0])
+    covariance += np.diag(floor**2)
+    whitening = np.linalg.cholesky(np.linalg.inv(covariance)).swapaxes(1, 2)
+    spread = ellipses["spread"].values
+    return (
+        Measured(time - time[middle], spread, values, whitening, frequency, gravity, length),
+        scale,
+    )
+
+
+def _frequency(ellipses: Any, middle: int, length: float | None, gravity: float) -> float:
+    """ω at t0 in rad/s: of a straight line through the windows, as one alone knows it less well."""
+    frequency = ellipses["frequency"].values
+    if np.isfinite(frequency).all():
+        time = ellipses["time"].values - ellipses["time"].values[middle]
+        degree = min(4, len(time) - 2)
+        scaled = time / max(float(np.abs(time).max()), 1e-9)
+        weights = 1 / (ellipses["frequency_stderr"].values + 1e-15)
+        return float(np.polynomial.polynomial.polyfit(scaled, frequency, degree, w=weights)[0])
+    if length is None:
+        raise InvalidInput.of("fit_table_length")
+    return float(np.sqrt(gravity / length))
+
+
+def _refuse_plane(ellipses: Any) -> None:
+    """Raise InvalidInput for a swing that stays in one plane: nothing turns it."""
+    azimuth, error = ellipses["azimuth"].values, ellipses["azimuth_stderr"].values
+    weights = 1 / error**2
+    mean = np.sum(weights * azimuth) / weights.sum()
+    if np.sum(weights * (azimuth - mean) ** 2) < chi_square_limit(len(azimuth) - 1):
+        unit = ellipses.attrs["unit"]
+        a = float(np.median(ellipses["a"].values))
+        b = float(np.max(ellipses["b_stderr"].values))
+        raise InvalidInput.of("fit_plane", a=(a, unit), b=(b, unit))
+
+
+def _start(measured: Measured) -> tuple[Numbers, float]:
+    """Where the search begins, and the decay rate of a in 1/s."""
+    time, (a, b, azimuth) = measured.time, measured.values.T
+    weights = np.ones_like(time)
+    lines = [
+        np.polynomial.polynomial.polyfit(time, column, 1, w=weights)
+        for column in (np.log(a), b, azimuth)
+    ]
+    decay = -float(lines[0][1])
+    size = float(np.exp(lines[0][0]))
+    length, _, omega0 = measured.pendulum(measured.row({"a": size, "b": float(lines[1][0])})[None])
+    turned = IDEAL * float(np.mean(a * b)) * float(omega0[0]) / float(length[0]) ** 2
+    given = {
+        "a": size,
+        "b": float(np.clip(lines[1][0], -0.9 * size, 0.9 * size)),
+        "azimuth": float(lines[2][0]),
+        "rotation": turned - float(lines[2][1]),
+        "linear": 0.5 * decay,
+        "quadratic": 0.5 * decay * 3 * np.pi / (4 * float(omega0[0]) * size),
+    }
+    return measured.row(given), max(abs(decay), 1e-9)

@@ -1,0 +1,102 @@
+"""χ² along one parameter."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from kugelpendel.errors import InvalidInput
+from kugelpendel.parameters import Numbers
+from kugelpendel.tracks.fitting._intervals import Judge
+from kugelpendel.tracks.fitting._model import ALL
+from kugelpendel.tracks.fitting._problem import problem_of, silent
+from kugelpendel.tracks.fitting._results import Profile
+from kugelpendel.tracks.fitting._search import search
+
+_FAR = 3.5
+"""Standard errors to either side."""
+
+
+def profile(
+    ellipses: Any,
+    name: str = "rotation",
+    *,
+    model: str = "headline",
+    points: int = 15,
+    length: float | None = None,
+    gravity: float = 9.80665,
+    latitude: float | None = None,
+    damping_unevenness: float = 0.1,
+    tilt: float = 0.02,
+) -> Profile:
+    """χ² as one parameter is held and all others are fitted: whether, and where, it closes.
+
+    Parameters
+    ----------
+    ellipses, length, gravity, latitude, damping_unevenness, tilt
+        As for `fit`.
+    name
+        The parameter, in SI units; it must be free in the model.
+    model
+        One of the models of the averaged motion.
+    points
+        How many values, three and a half standard errors to either side.
+
+    Returns
+    -------
+    Profile
+        Of a model without a misfit it is a parabola but for |δ| near 0 and parameters that are
+        hardly determined (docs/tracks.md), so that `fit` does without.
+
+    Raises
+    ------
+    InvalidInput
+        For an unknown model, a parameter that is not free in it, and as `fit`.
+    """
+    problem = problem_of(ellipses, length, gravity, latitude, damping_unevenness, tilt, silent)
+    if model not in problem.free:
+        raise InvalidInput.of("fit_model", seen=model, known=", ".join(problem.free))
+    free = problem.free[model]
+    if name not in free:
+        raise InvalidInput.of("fit_parameter", seen=name, known=", ".join(free))
+    narrow = problem.solved("narrow", problem.start)
+    found = problem.solved(model, narrow.row)
+    stderr = found.stderr(name)
+    if found.failed or not np.isfinite(stderr):
+        stderr = float(problem.measured.steps()[ALL.index(name)]) * 1e4
+    values = found.value(name) + stderr * np.linspace(-_FAR, _FAR, max(points, 5) | 1)
+    rest = tuple(each for each in free if each != name)
+    stated = problem.stated(model)
+    held = stated.pop(name, None)
+    chi_square = np.empty(len(values))
+    middle = len(values) // 2
+    for order in (range(middle, len(values)), range(middle - 1, -1, -1)):
+        row = found.row.copy()
+        for index in order:
+            row[ALL.index(name)] = values[index]
+            step = search(problem.measured, row, rest, stated)
+            row = step.row.copy()
+            prior = 0.0 if held is None else (values[index] / held) ** 2
+            chi_square[index] = step.chi_square + prior
+    judge = Judge(problem.measured, problem.scale, problem.ellipses, problem.scaled)
+    chi_square -= min(found.chi_square, float(np.nanmin(chi_square)))
+    level = judge.quantile(found.degrees) ** 2
+    low = _crossing(values[: middle + 1][::-1], chi_square[: middle + 1][::-1], level)
+    high = _crossing(values[middle:], chi_square[middle:], level)
+    scale = {"a": 1 / problem.scale, "b": 1 / problem.scale, "quadratic": problem.scale}
+    unit = scale.get(name, 1.0)
+    closes = bool(np.isfinite(low) and np.isfinite(high))
+    return Profile(name, values * unit, chi_square, low * unit, high * unit, closes)
+
+
+def _crossing(values: Numbers, chi_square: Numbers, level: float) -> float:
+    """Where χ² first passes a level, from the minimum outwards; NaN where it does not."""
+    above = np.flatnonzero(chi_square > level)
+    if len(above) == 0 or above[0] == 0:
+        return float("nan")
+    k = int(above[0])
+    # Between two points χ² is nearer to a parabola than to a line: its root is taken.
+    before, after = np.sqrt(np.maximum(chi_square[k - 1 : k + 1], 0.0))
+    share = (np.sqrt(level) - before) / (after - before)
+    return float(values[k - 1] + share * (values[k] - values[k - 1]))

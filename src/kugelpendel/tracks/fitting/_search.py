@@ -1,0 +1,134 @@
+"""Least squares of one model, with nuisances of a stated size."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from kugelpendel.parameters import Numbers
+from kugelpendel.tracks.fitting._model import ALL, Measured
+
+_MOST = 60
+"""Evaluations of a model before a fit is said to have failed; 5 to 10 are usual."""
+
+
+@dataclass(frozen=True)
+class Found:
+    """A minimum.
+
+    Attributes
+    ----------
+    names
+        Of the free parameters.
+    row
+        All parameters, in the order of `ALL`.
+    covariance
+        (JᵀJ)⁻¹ of the free ones; infinite where they cannot be told apart.
+    jacobian
+        Of the whitened residuals, nuisances last: shape (residuals, free).
+    chi_square, degrees
+        Nuisances count as data.
+    failed
+        Whether no end was found.
+    """
+
+    names: tuple[str, ...]
+    row: Numbers
+    covariance: Numbers
+    jacobian: Numbers
+    chi_square: float
+    degrees: int
+    failed: bool
+
+    def value(self, name: str) -> float:
+        """The parameter of this name, free or not."""
+        return float(self.row[ALL.index(name)])
+
+    def stderr(self, name: str) -> float:
+        """Its standard error; 0 if it was not free."""
+        if name not in self.names:
+            return 0.0
+        k = self.names.index(name)
+        return float(np.sqrt(self.covariance[k, k]))
+
+
+def search(
+    measured: Measured, start: Numbers, names: Sequence[str], sizes: Mapping[str, float]
+) -> Found:
+    """The least-squares fit from a start.
+
+    Parameters
+    ----------
+    measured
+        The ellipses.
+    start
+        All parameters; those that are not free stay as they are.
+    names
+        The free ones.
+    sizes
+        Standard deviations about 0 of those that have a stated size.
+    """
+    from scipy.optimize import least_squares
+
+    free = np.array([ALL.index(name) for name in names])
+    held = [k for k, name in enumerate(names) if name in sizes]
+    widths = np.array([sizes[names[k]] for k in held])
+    steps = measured.steps()[free]
+    known: dict[bytes, tuple[Numbers, Numbers]] = {}
+
+    def both(x: Numbers) -> tuple[Numbers, Numbers]:
+        """Residuals and their derivatives, from one ensemble."""
+        key = x.tobytes()
+        if key not in known:
+            rows = np.tile(start, (len(x) + 1, 1))
+            rows[:, free] = x
+            rows[1 + np.arange(len(x)), free] += steps
+            white = measured.whitened(measured.differences(measured.predicted(rows)))
+            slopes = ((white[1:] - white[0]) / steps[:, None]).T
+            prior = np.zeros((len(held), len(x)))
+            prior[np.arange(len(held)), held] = 1 / widths
+            known.clear()
+            known[key] = (
+                np.concatenate([white[0], x[held] / widths]),
+                np.concatenate([slopes, prior]),
+            )
+        return known[key]
+
+    guess = start[free]
+    scale = np.maximum(steps * 1e3, 1e-12)
+    try:
+        result = least_squares(
+            lambda x: both(x)[0], guess, lambda x: both(x)[1], method="trf", x_scale=scale,
+            max_nfev=_MOST, xtol=1e-8, ftol=1e-6, gtol=1e-8,
+        )  # fmt: skip
+        x, failed = result.x, result.status <= 0
+    except (ValueError, np.linalg.LinAlgError):  # the start itself is no motion
+        x, failed = guess, True
+    rest, jacobian = both(x)
+    row = start.copy()
+    row[free] = x
+    degrees = len(rest) - len(x)
+    covariance = inverse(jacobian)
+    return Found(
+        tuple(names), row, covariance, jacobian, float(rest @ rest), degrees,
+        failed or not np.isfinite(rest).all(),
+    )  # fmt: skip
+
+
+def inverse(jacobian: Numbers) -> Numbers:
+    """(JᵀJ)⁻¹, by scaled columns; infinite on the diagonal where it does not exist."""
+    count = jacobian.shape[1]
+    nothing = np.full((count, count), np.nan)
+    np.fill_diagonal(nothing, np.inf)
+    if not np.isfinite(jacobian).all():
+        return nothing
+    size = np.linalg.norm(jacobian, axis=0)
+    if (size == 0).any():
+        return nothing
+    _, values, back = np.linalg.svd(jacobian / size, full_matrices=False)
+    if values[-1] < 1e-10 * values[0]:
+        return nothing
+    root = back / values[:, None]
+    return (root.T @ root) / np.outer(size, size)

@@ -1,0 +1,85 @@
+"""How evenly the plane turns, without a model of why."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from kugelpendel.parameters import Numbers
+from kugelpendel.tracks.fitting._intervals import correlations
+from kugelpendel.tracks.fitting._results import Wobble
+
+_LEAST = 12
+"""Windows that a mean rate with its correlation needs."""
+
+
+def wobble(ellipses: Any) -> Wobble | None:
+    """The mean rate with an honest error, and what of its changes goes with 2ψ and 4ψ.
+
+    The azimuth is fitted with a straight line, κ∫ab dt, and the integrals of cos 2ψ, sin 2ψ,
+    cos 4ψ, sin 4ψ over time, with a, b and ψ as they were measured. The rate is the slope of the
+    straight line alone.
+
+    Parameters
+    ----------
+    ellipses
+        As `fit` got them. None for fewer than twelve windows.
+    """
+    time, azimuth = ellipses["time"].values, ellipses["azimuth"].values
+    error = ellipses["azimuth_stderr"].values
+    if len(time) < _LEAST:
+        return None
+    apart = time - time.mean()
+    line = [np.ones_like(time), apart]
+    found, rest = _least_squares(line, azimuth, error)
+    slope = float(found[1])
+    weights = apart / error**2
+    naive = _slope_error(rest, apart, error)
+    turned = float(np.ptp(azimuth))
+    shares, sizes = [float("nan")] * 2, [float("nan")] * 2
+    if turned > np.pi:
+        bent = ellipses["a"].values * ellipses["b"].values
+        columns = [*line, _integral(time, bent / max(float(np.abs(bent).max()), 1e-300))]
+        whole = float(np.sum(_least_squares(columns, azimuth, error)[1] ** 2))
+        for k, order in enumerate((2, 4)):
+            waves = np.cos(order * azimuth), np.sin(order * azimuth)
+            columns += [_integral(time, wave) for wave in waves]
+            found, rest = _least_squares(columns, azimuth, error)
+            shares[k] = 1.0 - float(rest @ rest) / whole
+        sizes = [float(np.hypot(*found[3:5])), float(np.hypot(*found[5:7]))]
+    correlated = _slope_error(rest, apart, error) * _correlation(rest, weights)
+    return Wobble(slope, max(correlated, naive), naive, turned, *shares, *sizes)
+
+
+def _least_squares(
+    columns: list[Numbers], values: Numbers, error: Numbers
+) -> tuple[Numbers, Numbers]:
+    """Coefficients, and the residuals in units of the errors."""
+    design = np.stack(columns, axis=1)
+    size = np.linalg.norm(design / error[:, None], axis=0) + 1e-300
+    found, *_ = np.linalg.lstsq(design / error[:, None] / size, values / error, rcond=None)
+    return found / size, (values - design @ (found / size)) / error
+
+
+def _slope_error(rest: Numbers, apart: Numbers, error: Numbers) -> float:
+    """Standard error of the slope if the residuals were independent, by their own size."""
+    spread = float(np.sqrt(rest @ rest / (len(rest) - 2)))
+    return spread / float(np.sqrt(np.sum((apart / error) ** 2)))
+
+
+def _correlation(rest: Numbers, weights: Numbers) -> float:
+    """By what the correlation of the residuals multiplies the error of a slope.
+
+    The variance of Σ wᵢrᵢ is Σₖ ρₖ Σᵢ wᵢwᵢ₊ₖ: a ramp is alike to itself over a third of its length
+    only, so slow residuals count less than in a mean.
+    """
+    rho = correlations(rest)
+    size = 2 * len(weights)
+    alike = np.fft.irfft(np.abs(np.fft.rfft(weights, size)) ** 2, size)[: len(rho)]
+    return float(np.sqrt(max(1.0 + 2.0 * np.sum(rho[1:] * alike[1:]) / alike[0], 1.0)))
+
+
+def _integral(time: Numbers, rate: Numbers) -> Numbers:
+    steps = 0.5 * (rate[1:] + rate[:-1]) * np.diff(time)
+    return np.concatenate([[0.0], np.cumsum(steps)])

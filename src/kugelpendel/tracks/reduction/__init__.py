@@ -1,0 +1,5 @@
+"""From positions to ellipses: carrier, windows, noise, and the labelled result."""
+
+from kugelpendel.tracks.reduction._ellipses import ellipses as ellipses
+from kugelpendel.tracks.reduction._ellipses import residuals as residuals
+from kugelpendel.tracks.reduction._table import tabulated as tabulated

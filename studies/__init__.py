@@ -1,0 +1,1 @@
+"""Studies on synthetic data whose tables stand in the documents."""
