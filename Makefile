@@ -20,7 +20,7 @@ UV := $(BIN)/uv
 INSTALL := $(UV) pip install --quiet --compile-bytecode --require-hashes
 
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --upgrade --custom-compile-command 'make lock'
-ALL := pyproject.toml --extra run --extra paper --group install --group build --group test --group check --group bench
+ALL := pyproject.toml --extra run --extra fit --extra paper --group install --group build --group test --group check --group bench
 
 RUST_SOURCES := $(shell find crates -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
 
@@ -61,7 +61,7 @@ lock: $(STAMPS)/uv  ## newest allowed versions into Cargo.lock and requirements/
 	cargo update
 	$(COMPILE) $(ALL) --output-file $(STAMPS)/all.lock
 	$(COMPILE) --constraint $(STAMPS)/all.lock --group install --output-file requirements/install.lock
-	$(COMPILE) --constraint $(STAMPS)/all.lock pyproject.toml --extra run --extra paper --group build --output-file requirements/run.lock
+	$(COMPILE) --constraint $(STAMPS)/all.lock pyproject.toml --extra run --extra fit --extra paper --group build --output-file requirements/run.lock
 	$(COMPILE) --constraint $(STAMPS)/all.lock --group test --group check --output-file requirements/check.lock
 	$(COMPILE) --constraint $(STAMPS)/all.lock --group bench --output-file requirements/bench.lock
 

@@ -10,7 +10,19 @@ from kugelpendel.errors._types import MissingExtra
 
 EXTRAS = {
     "run": ("h5netcdf", "h5py", "matplotlib", "pandas", "pint", "pyarrow", "rich", "xarray"),
-    "fit": ("scipy", "xarray"),
+    "fit": (
+        "defusedxml",
+        "h5netcdf",
+        "h5py",
+        "jinja2",
+        "matplotlib",
+        "pandas",
+        "pint",
+        "pyarrow",
+        "rich",
+        "scipy",
+        "xarray",
+    ),
     "paper": ("markdown-it-py", "mpmath", "rich", "sympy"),
 }
 """The packages of each extra in pyproject.toml."""
@@ -25,7 +37,7 @@ def require_extra(extra: str, what: str, *packages: str) -> None:
     Parameters
     ----------
     extra
-        That brings them, "run" or "paper".
+        That brings them, "run", "fit" or "paper".
     what
         What needs them, such as "kugelpendel.plot".
     packages
