@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import final
+from typing import Literal, final
 
 import numpy as np
 
 from kugelpendel.errors import InvalidInput
 from kugelpendel.parameters import Numbers
+from kugelpendel.tracks._note import Note
 
 
 @final
@@ -25,6 +26,11 @@ class Track:
         counter-clockwise seen from above.
     unit
         What the positions are counted in: "m", or what the recording has, such as "px".
+    notes
+        What was changed, dropped or assumed on the way from a file.
+    axes
+        Of what x and y are the axes: "room", or "phone" for a phone that swings itself; its axes
+        turn with it, so that such a track tells period, decay and a, but never a precession.
 
     Raises
     ------
@@ -37,6 +43,8 @@ class Track:
     x: Numbers
     y: Numbers
     unit: str = "m"
+    notes: tuple[Note, ...] = ()
+    axes: Literal["room", "phone"] = "room"
 
     def __post_init__(self) -> None:
         for name in ("time", "x", "y"):
