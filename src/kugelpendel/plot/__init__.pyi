@@ -1,3 +1,4 @@
+from . import tracks as tracks
 from ._compared import compared as compared
 from ._day import day as day
 from ._design import design as design
@@ -13,5 +14,6 @@ __all__ = [
     "overview",
     "portrait",
     "save",
+    "tracks",
     "validity",
 ]

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -97,8 +98,8 @@ def overview(
     return figure
 
 
-def save(figure: Figure, path: Path | str) -> None:
-    """Write a figure; the ending of the name says as what: png, svg or pdf.
+def save(figure: Figure, path: Path | str | BytesIO) -> None:
+    """Write a figure; the ending of the name says as what: png, svg or pdf; into memory as png.
 
     The same figure gives the same file, byte for byte, with the same version of matplotlib. Raises
     InvalidInput for another ending, and for what is no figure.
@@ -109,7 +110,7 @@ def save(figure: Figure, path: Path | str) -> None:
             f"{type(figure).__name__}; write save(plot.overview(motion, duration), path)."
         )
     known = figure.canvas.get_supported_filetypes()
-    ending = Path(path).suffix.lstrip(".").lower()
+    ending = "png" if isinstance(path, BytesIO) else Path(path).suffix.lstrip(".").lower()
     if ending not in known:
         raise InvalidInput(
             f"The file's name {str(path)!r} does not end with a kind of picture; let it end with "
