@@ -14,7 +14,8 @@ import pytest
 from kugelpendel import paper
 from kugelpendel.cli import main
 from kugelpendel.cli.derive.check import table
-from kugelpendel.cli.derive.command import known_language, nearest
+from kugelpendel.cli.derive.command import nearest
+from kugelpendel.cli.terminal.language import known_language
 from kugelpendel.paper.document.prose import sentence
 
 

@@ -3,7 +3,7 @@
 import pytest
 
 from kugelpendel.cli.terminal import estimate
-from kugelpendel.cli.terminal.estimate import Estimate
+from kugelpendel.cli.terminal.estimate import TimeEstimate
 
 
 @pytest.mark.parametrize(
@@ -21,7 +21,7 @@ def test_long_work_is_announced(
 ) -> None:  # fmt: skip
     now = [100.0]
     monkeypatch.setattr(estimate.time, "monotonic", lambda: now[0])
-    waiting = Estimate(1.0, "leaves everything as it was")
+    waiting = TimeEstimate(1.0, "leaves everything as it was")
     now[0] += at
     waiting.after(done)
     waiting.after(done)

@@ -12,7 +12,8 @@ from rich.table import Table
 
 from kugelpendel import paper
 from kugelpendel.cli.derive import as_json
-from kugelpendel.cli.derive.command import known_label, known_language, text_width
+from kugelpendel.cli.derive.command import known_label, text_width
+from kugelpendel.cli.terminal.language import known_language
 from kugelpendel.cli.terminal.progress import Progress
 from kugelpendel.cli.terminal.streams import write_json
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 import sys
 from pathlib import Path
@@ -11,11 +10,11 @@ from typing import TYPE_CHECKING
 from kugelpendel import InvalidInput, paper
 from kugelpendel.cli.derive import as_json
 from kugelpendel.cli.output import write_file
+from kugelpendel.cli.terminal.language import known_language
 from kugelpendel.cli.terminal.streams import write_bytes, write_json
-from kugelpendel.paper import LANGUAGES
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    pass
 
 FORMATS = {"html": ".html", "md": ".md", "latex": ".tex", "text": ".txt"}
 _STDOUT = Path("-")
@@ -95,20 +94,6 @@ def list_misprints(language: str | None, is_json: bool) -> None:
         write_json(as_json.misprints(chosen))
     else:
         sys.stdout.write(paper.misprint_list(chosen, text_width(), sys.stdout.isatty()))
-
-
-def known_language(language: str | None, environment: Mapping[str, str] = os.environ) -> str:
-    """Choose the language to write in: the one given, or that of the locale, or English."""
-    if language is None:
-        variables = ("LC_ALL", "LC_MESSAGES", "LANG")
-        locale = next((environment[name] for name in variables if environment.get(name)), "")
-        return "de" if locale.lower().startswith("de") else "en"
-    if language not in LANGUAGES:
-        raise InvalidInput(
-            f"The derivation is not written in the language {language!r}; choose "
-            f"{' or '.join(f'--lang {known}' for known in LANGUAGES)}."
-        )
-    return language
 
 
 def _known_format(document_format: str | None, out: Path | None) -> str:

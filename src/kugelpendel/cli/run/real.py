@@ -21,7 +21,7 @@ from kugelpendel.cli.run import ideal_json
 from kugelpendel.cli.run.real_json import real_json
 from kugelpendel.cli.run.real_report import real_report
 from kugelpendel.cli.terminal.describe import describe_launch
-from kugelpendel.cli.terminal.estimate import Estimate, StopRequest
+from kugelpendel.cli.terminal.estimate import StopRequest, TimeEstimate
 from kugelpendel.cli.terminal.interrupted import Interrupted
 from kugelpendel.cli.terminal.progress import Progress
 from kugelpendel.cli.terminal.streams import complain
@@ -124,7 +124,7 @@ def _follow(
     """
     grid, rows = job.grid, 0
     end = grid.duration
-    follower, estimate = Follower(motion), Estimate(end, "keeps what is done")
+    follower, estimate = Follower(motion), TimeEstimate(end, "keeps what is done")
     asked = grid.count <= WORTH_A_TRIAL
     with (
         Progress("Following the pendulum", end) as progress,

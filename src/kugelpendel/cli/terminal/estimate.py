@@ -22,7 +22,7 @@ _TRIAL = 0.5
 _SIGNALS = (signal.SIGINT, signal.SIGTERM)
 
 
-class Estimate:
+class TimeEstimate:
     """Says once on stderr how long the whole will take, when that is long.
 
     Parameters
