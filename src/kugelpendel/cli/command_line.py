@@ -11,8 +11,10 @@ from typing import TYPE_CHECKING
 from kugelpendel.cli.compare import arguments as compare
 from kugelpendel.cli.derive import arguments as derive
 from kugelpendel.cli.design import arguments as design
+from kugelpendel.cli.fit import arguments as fit
 from kugelpendel.cli.options import CommandParser, Refused
 from kugelpendel.cli.run import arguments as run
+from kugelpendel.cli.synth import arguments as synth
 from kugelpendel.cli.terminal import streams
 from kugelpendel.cli.validity import arguments as validity
 
@@ -23,7 +25,7 @@ if TYPE_CHECKING:
 _BAD_INPUT = 2
 _INTERRUPTED = 130
 
-_COMMANDS = (run, compare, validity, design, derive)
+_COMMANDS = (run, compare, validity, design, fit, synth, derive)
 """In the order of the help. The parser of each says what does it and which extra it needs."""
 
 

@@ -1,0 +1,1 @@
+"""kugelpendel fit: from a recorded track to the pendulum."""

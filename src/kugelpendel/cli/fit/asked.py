@@ -1,0 +1,158 @@
+"""What was asked on the command line, checked option by option, in SI."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from kugelpendel import InvalidInput
+from kugelpendel.cli.job_file.kinds import ACCELERATION, LATITUDE, LENGTH, TIME, Kind
+from kugelpendel.cli.job_file.quantity import read_quantity
+from kugelpendel.cli.terminal.language import known_language
+from kugelpendel.parameters import Site
+
+if TYPE_CHECKING:
+    import argparse
+
+    from kugelpendel.errors import Language
+
+_STANDARD_GRAVITY = 9.80665
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What a fit takes from its options.
+
+    Attributes
+    ----------
+    reading
+        The arguments of `kugelpendel.tracks.read`.
+    length, gravity, latitude
+        m, m/s² and rad; None for what was not given, but for gravity.
+    unevenness, tilt
+        Shares.
+    swings
+        In a window.
+    """
+
+    reading: dict[str, Any]
+    length: float | None
+    gravity: float
+    latitude: float | None
+    unevenness: float
+    tilt: float
+    swings: float
+    language: Language
+
+
+def read_options(options: argparse.Namespace) -> Asked:
+    """Check the options of a fit.
+
+    Raises
+    ------
+    InvalidInput
+        A sentence that names the option, the value seen and the way out.
+    """
+    latitude = quantity(options, "latitude", LATITUDE)
+    gravity = quantity(options, "gravity", ACCELERATION)
+    if gravity is None:
+        gravity = _STANDARD_GRAVITY if latitude is None else float(Site(latitude).gravity)
+    if gravity <= 0:
+        raise InvalidInput(f'--gravity is {gravity:g} m/s²; write a positive one, such as "9.81".')
+    length = quantity(options, "length", LENGTH)
+    if length is not None and length <= 0:
+        raise InvalidInput(f'--length is {length:g} m; write a positive one, such as "2.4 m".')
+    y_down = True if options.y_down else False if options.y_up else None
+    return Asked(
+        {
+            "columns": _columns(options.columns),
+            "mass": options.mass,
+            "rate": number(options, "rate", least=0.0),
+            "scale": quantity(options, "scale", LENGTH),
+            "y_down": y_down,
+        },
+        length,
+        gravity,
+        latitude,
+        share(options, "damping_unevenness"),
+        share(options, "tilt"),
+        number(options, "swings", least=2.999) or 8.0,
+        known_language(options.lang),
+    )
+
+
+def quantity(options: argparse.Namespace, name: str, kind: Kind) -> float | None:
+    """An option that is a quantity: a number in SI, or a number with a unit; None if not given."""
+    text = getattr(options, name)
+    if text is None:
+        return None
+    try:
+        value: object = float(text)
+    except ValueError:
+        value = text
+    return read_quantity(value, kind, _option(name))
+
+
+def needed(options: argparse.Namespace, name: str, kind: Kind, example: str) -> float:
+    """An option without which there is no answer."""
+    value = quantity(options, name, kind)
+    if value is None:
+        raise InvalidInput(
+            f'--plan needs {_option(name)}; write, for example, {_option(name)} "{example}".'
+        )
+    if value <= 0:
+        raise InvalidInput(f"{_option(name)} is {value:g} {kind.unit}; write a positive one.")
+    return value
+
+
+def half_life(options: argparse.Namespace) -> float | None:
+    """The half life of the amplitude in s, or None."""
+    return None if options.half_life is None else needed(options, "half_life", TIME, "2 h")
+
+
+def number(options: argparse.Namespace, name: str, *, least: float) -> float | None:
+    """An option that is a plain number above some least one."""
+    text = getattr(options, name)
+    if text is None:
+        return None
+    value = _float(text)
+    if value is None or not least < value < float("inf"):
+        raise InvalidInput(f"{_option(name)} is {text!r}; write a number above {least:.3g}.")
+    return value
+
+
+def share(options: argparse.Namespace, name: str) -> float:
+    """An option in per cent, with or without the sign, as a share."""
+    text: str = getattr(options, name)
+    value = _float(text.strip().removesuffix("%").strip())
+    if value is None or not 0 <= value < 100:
+        raise InvalidInput(
+            f"{_option(name)} is {text!r}; write per cent from 0 to below 100, such as 10."
+        )
+    return value / 100
+
+
+def _float(text: str) -> float | None:
+    try:
+        return float(text.replace(",", "."))
+    except ValueError:
+        return None
+
+
+def _columns(text: str | None) -> dict[str, str | int] | None:
+    if text is None:
+        return None
+    found: dict[str, str | int] = {}
+    for part in re.split(r",(?=\s*\w+\s*=)", text):
+        role, equals, name = part.partition("=")
+        if not equals or not role.strip() or not name.strip():
+            raise InvalidInput(
+                f"--columns is {text!r}; write it like time=t,x=cx,y=cy, or time=1,x=2,y=3."
+            )
+        found[role.strip()] = name.strip()
+    return found
+
+
+def _option(name: str) -> str:
+    return f"--{name.replace('_', '-')}"

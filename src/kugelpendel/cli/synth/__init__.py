@@ -1,0 +1,1 @@
+"""kugelpendel synth: a track as a camera would have recorded it."""
