@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-NAMES = ["careless_integration"]
+NAMES = ["careless_integration", "fitted_track"]
 
 
 def test_every_script_is_tested(repository: Path) -> None:
@@ -25,3 +25,16 @@ def test_careless_integration(
     formula = abs(script["FORMULA"] / script["EXACT"].precession - 1)
     assert errors[1e-3] > 50 * formula
     assert errors[1e-7] < 1e-3 * errors[1e-3]
+
+
+def test_fitted_track(
+    repository: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    script = runpy.run_path(str(repository / "examples/gallery/fitted_track.py"))
+    missed = script["main"](str(tmp_path / "figure.png"))
+    assert (tmp_path / "figure.png").stat().st_size > 10_000
+    assert "truth             a = " in capsys.readouterr().out
+    # Nothing in χ² shows the tilt, and yet the narrow error bar excludes the truth.
+    assert missed["ratio"] < 1.2
+    assert missed["narrow"] > 10
+    assert missed["headline"] < 2
