@@ -27,9 +27,7 @@ def test_careless_integration(
     assert errors[1e-7] < 1e-3 * errors[1e-3]
 
 
-def test_fitted_track(
-    repository: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_fitted_track(repository: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     script = runpy.run_path(str(repository / "examples/gallery/fitted_track.py"))
     missed = script["main"](str(tmp_path / "figure.png"))
     assert (tmp_path / "figure.png").stat().st_size > 10_000

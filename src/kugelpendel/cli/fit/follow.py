@@ -199,7 +199,8 @@ class _Window:
         self.azimuth = values["azimuth"]
         rate = math.nan
         if ellipses.sizes["time"] > 1:
-            time, azimuth = ellipses.time.values, ellipses.azimuth.values
+            time = np.asarray(ellipses.time.values, dtype=float)
+            azimuth = np.asarray(ellipses.azimuth.values, dtype=float)
             rate = float(np.polynomial.Polynomial.fit(time, azimuth, 1).convert().coef[1])
         return Swing(time=float(one.time), **values, rate=rate, unit=unit)
 
