@@ -124,13 +124,17 @@ def _as_if_white(ellipses: Any) -> Any:
 
 
 def many(
-    count: int, spoilt: dict[str, Any] | Callable[[int], dict[str, Any]], **options: Any
+    count: int,
+    spoilt: dict[str, Any] | Callable[[int], dict[str, Any]],
+    *,
+    first: int = FIRST_SEED,
+    **options: Any,
 ) -> Tally:
-    """A tally of so many fixed seeds; what spoils may depend on the seed."""
+    """A tally of so many fixed seeds from the first on; what spoils may depend on the seed."""
     tally = Tally()
     start = time.perf_counter()
     for index in range(count):
-        seed = FIRST_SEED + index
+        seed = first + index
         one(tally, seed, spoilt(seed) if callable(spoilt) else spoilt, **options)
         if sys.stderr.isatty() and index % 10 == 9:
             left = (time.perf_counter() - start) / (index + 1) * (count - index - 1)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Literal, TypeAlias
+from typing import Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from kugelpendel.errors import InvalidInput
 from kugelpendel.motion import Motion
 from kugelpendel.parameters import Numbers
+from kugelpendel.tracks._scipy import first_order
 from kugelpendel.tracks._track import Track
 
 Colour: TypeAlias = Literal["white", "slow", "t3"] | float
@@ -135,9 +136,6 @@ def _noise(random: np.random.Generator, colour: Colour, time: Numbers, rate: flo
 
 def _first_order(random: np.random.Generator, count: int, memory: float) -> Numbers:
     """A first-order process with variance 1: each value is `memory` times the last, and new."""
-    from scipy.signal import lfilter  # pyright: ignore
-
     new = random.standard_normal(count)
     new[1:] *= np.sqrt(1 - memory**2)
-    filtered: Any = lfilter([1.0], [1.0, -memory], new)
-    return np.asarray(filtered)
+    return first_order(new, memory)

@@ -22,7 +22,10 @@ FIT = kp.tracks.fit(ELLIPSES, gravity=9.81, latitude=0.85)
 @pytest.fixture(scope="module")
 def tallies() -> dict[str, Tally]:
     """So many tracks that an interval which holds in 95 % leaves 88 to 99.5 % once in thousands."""
-    return {name: many(38, spoilt, rate=5.0) for name, spoilt in KINDS.items()}
+    return {
+        name: many(38, spoilt, rate=5.0, first=100 * index)
+        for index, (name, spoilt) in enumerate(KINDS.items())
+    }
 
 
 def test_intervals_hold(tallies: dict[str, Tally]) -> None:
@@ -52,7 +55,7 @@ def test_a_tilt_that_is_ignored_is_within_the_headline_only() -> None:
     headline = many(16, tilted, model="headline", rate=5.0)
     rotation = NAMES.index("rotation")
     assert narrow.coverage[NAMES.index("a")] < 0.3
-    assert narrow.coverage[rotation] < 0.8
+    assert narrow.coverage[rotation] < 0.9
     assert (headline.coverage > 0.85).all()
 
 

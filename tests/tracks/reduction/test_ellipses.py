@@ -1,5 +1,7 @@
 """Ellipses of tracks with a known truth, and their errors."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from studies.pendulums import level, pendulum, shape
@@ -54,7 +56,7 @@ def test_errors_are_as_large_as_they_say(swings: float) -> None:
 
 
 @pytest.mark.parametrize("colour", ["white", "slow", 0.8])
-def test_the_spectrum_at_the_swing_is_the_true_one(colour: str | float) -> None:
+def test_the_spectrum_at_the_swing_is_the_true_one(colour: Any) -> None:
     ratios = []
     for seed in range(8):
         case = pendulum(seed)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from kugelpendel.errors import InvalidInput
-from kugelpendel.tracks._statistics import chi_square_tail
+from kugelpendel.tracks._scipy import chi_square_tail
 from kugelpendel.tracks.fitting._intervals import Judge, is_misfit
 from kugelpendel.tracks.fitting._measured import azimuth_alone
 from kugelpendel.tracks.fitting._period import period_table, stiffening
@@ -16,6 +16,7 @@ from kugelpendel.tracks.fitting._problem import problem_of, silent
 from kugelpendel.tracks.fitting._results import FittedModel, Misfit, TrackFit
 from kugelpendel.tracks.fitting._search import Found
 from kugelpendel.tracks.fitting._wobble import wobble
+from kugelpendel.tracks.reduction import column
 
 MODELS = (
     "headline",
@@ -105,7 +106,7 @@ def fit(
     lengths, gravities, omega0 = measured.pendulum(narrow.row[None])
     period = period_table(ellipses, float(lengths[0]), problem.scaled)
     return TrackFit(
-        time=float(ellipses["time"].values[problem.middle]),
+        time=float(column(ellipses, "time")[problem.middle]),
         length=float(lengths[0]),
         gravity=float(gravities[0]),
         frequency=float(omega0[0]),
@@ -122,7 +123,7 @@ def fit(
 def _misfit(found: Found, model: FittedModel, ellipses: Any) -> Misfit:
     rests = {"a": model.residual_a, "b": model.residual_b, "azimuth": model.residual_azimuth}
     excess = {
-        name: float(np.sqrt(np.mean((rest / ellipses[f"{name}_stderr"].values) ** 2)))
+        name: float(np.sqrt(np.mean((rest / column(ellipses, f"{name}_stderr")) ** 2)))
         for name, rest in rests.items()
     }
     degrees = max(found.degrees, 1)

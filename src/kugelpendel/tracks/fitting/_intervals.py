@@ -9,10 +9,11 @@ import numpy as np
 
 from kugelpendel import _core
 from kugelpendel.parameters import Numbers
-from kugelpendel.tracks._statistics import chi_square_tail, student
+from kugelpendel.tracks._scipy import chi_square_tail, student
 from kugelpendel.tracks.fitting._model import DAMPING, INTRINSIC, Measured
 from kugelpendel.tracks.fitting._results import Estimate, FittedModel, Reason
 from kugelpendel.tracks.fitting._search import Found
+from kugelpendel.tracks.reduction import column, polynomial
 
 UNITS = {
     "azimuth": "rad",
@@ -53,7 +54,7 @@ class Judge:
         self.unit = str(ellipses.attrs["unit"])
         self._is_table = ellipses.attrs["origin"] == "table"
         self._cells = int(ellipses.attrs.get("cells", 0))
-        self.time = ellipses["time"].values
+        self.time = column(ellipses, "time")
 
     def quantile(self, degrees: int) -> float:
         """Student's t at 97.5 %: the noise is known from the cells of its spectrum."""
@@ -156,7 +157,7 @@ class Judge:
             return 0.0, np.inf
         if name in DAMPING:
             a = np.log(self._measured.values[:, 0])
-            decay = abs(float(np.polynomial.polynomial.polyfit(self._measured.time, a, 1)[1]))
+            decay = abs(float(polynomial(self._measured.time, a, 1)[1]))
             return -2 * decay, 2 * decay
         if name in ("anisotropy_cos", "anisotropy_sin"):
             return -_UNEVEN * self._measured.frequency, _UNEVEN * self._measured.frequency

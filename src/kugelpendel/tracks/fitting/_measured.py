@@ -70,7 +70,7 @@ def _rates(measured: Measured, with_anisotropy: bool) -> dict[str, Numbers]:
     """Rate of the plane in each window per unit of κ, of δ cos 2χ and δ sin 2χ, by the core."""
     a, b, azimuth = measured.values.T
     middle = int(np.argmin(np.abs(measured.time)))
-    centre = dict(zip(SHAPE, (a[middle], b[middle], azimuth[middle]), strict=True))
+    centre = {name: float(measured.values[middle, k]) for k, name in enumerate(SHAPE)}
     lengths, gravities, omega0 = measured.pendulum(measured.row(centre)[None])
     pendulum = Pendulum(float(lengths[0]), float(gravities[0]))
     b = np.clip(b, -0.999 * a, 0.999 * a)

@@ -8,6 +8,7 @@ import numpy as np
 
 from kugelpendel import _core
 from kugelpendel.parameters import Numbers
+from kugelpendel.tracks._scipy import spline
 
 SHAPE = ("a", "b", "azimuth")
 FORCES = ("rotation", "linear", "quadratic", "anisotropy_cos", "anisotropy_sin")
@@ -128,16 +129,16 @@ class Measured:
         them: in ten minutes an ellipse changes little, and its error is the fourth power of that.
         """
         whole = float(times[-1] - times[0])
-        grid = np.linspace(times[0], times[-1], max(_NODES, int(whole / _SMOOTH)))
+        grid: Numbers = np.linspace(
+            float(times[0]), float(times[-1]), max(_NODES, int(whole / _SMOOTH))
+        )
         if len(times) < 2 * len(grid):
             return _core.averaged_ellipses(count, columns, times).reshape(count, len(times), 3)
         read = _core.averaged_ellipses(count, columns, grid).reshape(count, len(grid), 3)
         found = np.full((count, len(times), 3), np.nan)
         good = np.isfinite(read).all(axis=(1, 2))
         if good.any():
-            from scipy.interpolate import CubicSpline  # pyright: ignore[reportMissingTypeStubs]
-
-            found[good] = CubicSpline(grid, read[good], axis=1)(times)
+            found[good] = spline(grid, read[good], times)
         return found
 
     def differences(self, predicted: Numbers) -> Numbers:

@@ -7,11 +7,12 @@ from typing import Any
 import numpy as np
 
 from kugelpendel.parameters import Numbers
-from kugelpendel.tracks._statistics import student
+from kugelpendel.tracks._scipy import student
 from kugelpendel.tracks.fitting._intervals import undetermined
 from kugelpendel.tracks.fitting._model import IDEAL, INTRINSIC
 from kugelpendel.tracks.fitting._results import Estimate, FittedModel, PeriodTable, Stiffening
 from kugelpendel.tracks.fitting._search import inverse
+from kugelpendel.tracks.reduction import column
 
 THEORY = -1 / 16
 """d ln ω/d((a² + b²)/l²) of an ideal pendulum: Olsson (1981), eq. (26)."""
@@ -29,14 +30,14 @@ def period_table(ellipses: Any, length: float, scaled: bool) -> PeriodTable | No
     scaled
         Whether the track is in metres; without, only a drift with no slope at all can be given.
     """
-    frequency = ellipses["frequency"].values
-    error = ellipses["frequency_stderr"].values / frequency
+    frequency = column(ellipses, "frequency")
+    error = column(ellipses, "frequency_stderr") / frequency
     if not np.isfinite(frequency).all() or not (error > 0).all():
         return None
-    size = (ellipses["a"].values ** 2 + ellipses["b"].values ** 2) / length**2
+    size = (column(ellipses, "a") ** 2 + column(ellipses, "b") ** 2) / length**2
     if not scaled:
         size = np.zeros_like(size)
-    time = ellipses["time"].values - float(ellipses["time"].values.mean())
+    time = column(ellipses, "time") - float(column(ellipses, "time").mean())
     logs = np.log(frequency)
     ones = np.ones_like(time)
     fits = {
@@ -84,7 +85,7 @@ def _line(
 ) -> tuple[Numbers, Numbers, float, int]:
     """Coefficients, their covariance, χ² and degrees of freedom."""
     design = np.stack(columns, axis=1) / error[:, None]
-    found, *_ = np.linalg.lstsq(design, values / error, rcond=None)
+    found = np.asarray(np.linalg.lstsq(design, values / error, rcond=None)[0], dtype=float)
     rest = values / error - design @ found
     return found, inverse(design), float(rest @ rest), max(len(values) - len(found), 1)
 

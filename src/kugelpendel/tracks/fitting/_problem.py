@@ -10,7 +10,7 @@ import numpy as np
 
 from kugelpendel.errors import InvalidInput, require_extra
 from kugelpendel.parameters import Numbers, Site
-from kugelpendel.tracks._statistics import chi_square_limit
+from kugelpendel.tracks._scipy import chi_square_limit
 from kugelpendel.tracks._track import Track
 from kugelpendel.tracks.fitting._model import (
     ALL,
@@ -23,6 +23,7 @@ from kugelpendel.tracks.fitting._model import (
     Measured,
 )
 from kugelpendel.tracks.fitting._search import Found, search
+from kugelpendel.tracks.reduction import column, polynomial
 from kugelpendel.tracks.reduction import ellipses as ellipses_of
 
 _LEAST = 6
@@ -30,6 +31,10 @@ _LEAST = 6
 
 _GUESS = 0.02
 """a/l that is assumed of a track without a scale, where κ is free to make up for it."""
+
+_LIGHTEST, _HEAVIEST = 8.0, 12.0
+"""m/s²: between which gravity and a bob's corrections to it lie; beyond, the length or the sampling
+is wrong."""
 
 
 def silent(share: float) -> None:
@@ -138,9 +143,9 @@ def measured_of(
     ellipses: Any, middle: int, length: float | None, gravity: float, scaled: bool
 ) -> tuple[Measured, float]:
     """What is fitted, and metres per unit of the track."""
-    time = ellipses["time"].values
-    values = np.stack([ellipses[name].values for name in SHAPE], axis=-1)
-    covariance = ellipses["covariance"].values[:, :3, :3].copy()
+    time = column(ellipses, "time")
+    values = np.stack([column(ellipses, name) for name in SHAPE], axis=-1)
+    covariance = column(ellipses, "covariance")[:, :3, :3].copy()
     frequency = _frequency(ellipses, middle, length, gravity)
     scale = 1.0
     if not scaled:
@@ -152,8 +157,9 @@ def measured_of(
     # Where there is no noise at all, a trace of it keeps the matrices regular.
     floor = np.array([1e-12, 1e-12, 1e-12]) * np.array([values[middle, 0]] * 2 + [1.0])
     covariance += np.diag(floor**2)
-    whitening = np.linalg.cholesky(np.linalg.inv(covariance)).swapaxes(1, 2)
-    spread = ellipses["spread"].values
+    lower = np.linalg.cholesky(np.linalg.inv(covariance))
+    whitening = np.asarray(lower.swapaxes(1, 2), dtype=float)
+    spread = column(ellipses, "spread")
     return (
         Measured(time - time[middle], spread, values, whitening, frequency, gravity, length),
         scale,
@@ -162,47 +168,47 @@ def measured_of(
 
 def _frequency(ellipses: Any, middle: int, length: float | None, gravity: float) -> float:
     """ω at t0 in rad/s: of a straight line through the windows, as one alone knows it less well."""
-    frequency = ellipses["frequency"].values
+    frequency = column(ellipses, "frequency")
     if np.isfinite(frequency).all():
-        time = ellipses["time"].values - ellipses["time"].values[middle]
+        time = column(ellipses, "time") - column(ellipses, "time")[middle]
         degree = min(4, len(time) - 2)
         scaled = time / max(float(np.abs(time).max()), 1e-9)
-        weights = 1 / (ellipses["frequency_stderr"].values + 1e-15)
-        return float(np.polynomial.polynomial.polyfit(scaled, frequency, degree, w=weights)[0])
+        weights = 1 / (column(ellipses, "frequency_stderr") + 1e-15)
+        omega = float(polynomial(scaled, frequency, degree, weights)[0])
+        if length is not None and not _LIGHTEST < length * omega**2 < _HEAVIEST:
+            seen = {"length": (float(length), "m"), "period": (2 * np.pi / omega, "s")}
+            raise InvalidInput.of("fit_length", gravity=(length * omega**2, "m/s²"), **seen)
+        return omega
     if length is None:
-        raise InvalidInput.of("fit_table_length")
+        raise InvalidInput.of("fit_table_length", rows=len(frequency))
     return float(np.sqrt(gravity / length))
 
 
 def _refuse_plane(ellipses: Any) -> None:
     """Raise InvalidInput for a swing that stays in one plane: nothing turns it."""
-    azimuth, error = ellipses["azimuth"].values, ellipses["azimuth_stderr"].values
+    azimuth, error = column(ellipses, "azimuth"), column(ellipses, "azimuth_stderr")
     weights = 1 / error**2
     mean = np.sum(weights * azimuth) / weights.sum()
     if np.sum(weights * (azimuth - mean) ** 2) < chi_square_limit(len(azimuth) - 1):
         unit = ellipses.attrs["unit"]
-        a = float(np.median(ellipses["a"].values))
-        b = float(np.max(ellipses["b_stderr"].values))
+        a = float(np.median(column(ellipses, "a")))
+        b = float(np.max(column(ellipses, "b_stderr")))
         raise InvalidInput.of("fit_plane", a=(a, unit), b=(b, unit))
 
 
 def _start(measured: Measured) -> tuple[Numbers, float]:
     """Where the search begins, and the decay rate of a in 1/s."""
     time, (a, b, azimuth) = measured.time, measured.values.T
-    weights = np.ones_like(time)
-    lines = [
-        np.polynomial.polynomial.polyfit(time, column, 1, w=weights)
-        for column in (np.log(a), b, azimuth)
-    ]
-    decay = -float(lines[0][1])
-    size = float(np.exp(lines[0][0]))
-    length, _, omega0 = measured.pendulum(measured.row({"a": size, "b": float(lines[1][0])})[None])
+    columns: Numbers = np.stack([np.log(a), b, azimuth], axis=1)
+    middle, slope = polynomial(time, columns, 1)
+    decay, size, across = -float(slope[0]), float(np.exp(middle[0])), float(middle[1])
+    length, _, omega0 = measured.pendulum(measured.row({"a": size, "b": across})[None])
     turned = IDEAL * float(np.mean(a * b)) * float(omega0[0]) / float(length[0]) ** 2
     given = {
         "a": size,
-        "b": float(np.clip(lines[1][0], -0.9 * size, 0.9 * size)),
-        "azimuth": float(lines[2][0]),
-        "rotation": turned - float(lines[2][1]),
+        "b": float(np.clip(across, -0.9 * size, 0.9 * size)),
+        "azimuth": float(middle[2]),
+        "rotation": turned - float(slope[2]),
         "linear": 0.5 * decay,
         "quadratic": 0.5 * decay * 3 * np.pi / (4 * float(omega0[0]) * size),
     }

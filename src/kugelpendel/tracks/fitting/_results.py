@@ -209,8 +209,8 @@ class TrackFit:
         By their names: "headline", the one to quote; "narrow", without nuisances, to be quoted
         with its assumption only; "uneven" and "tilted", with Δγ or the tilt entirely free;
         "intrinsic", "intrinsic_narrow" and "intrinsic_known" with κ free, with nuisances, without
-        them, and with Ω_z from the latitude; "measured" and "measured_anisotropy", of the azimuth alone
-        with a(t) and b(t) as they were measured.
+        them, and with Ω_z from the latitude; "measured" and "measured_anisotropy", of the azimuth
+        alone with a(t) and b(t) as they were measured.
     misfit, period, wobble, stiffening
         As their classes say; None where a track does not have them.
     planar

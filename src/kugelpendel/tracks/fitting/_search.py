@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from kugelpendel.parameters import Numbers
+from kugelpendel.tracks._scipy import least_squares
 from kugelpendel.tracks.fitting._model import ALL, Measured
 
 _MOST = 60
@@ -70,8 +71,6 @@ def search(
     sizes
         Standard deviations about 0 of those that have a stated size.
     """
-    from scipy.optimize import least_squares
-
     free = np.array([ALL.index(name) for name in names])
     held = [k for k, name in enumerate(names) if name in sizes]
     widths = np.array([sizes[names[k]] for k in held])
@@ -96,16 +95,18 @@ def search(
             )
         return known[key]
 
+    def residuals(x: Numbers) -> Numbers:
+        return both(x)[0]
+
+    def jacobian_of(x: Numbers) -> Numbers:
+        return both(x)[1]
+
     guess = start[free]
     scale = np.maximum(steps * 1e3, 1e-12)
     try:
-        result = least_squares(
-            lambda x: both(x)[0], guess, lambda x: both(x)[1], method="trf", x_scale=scale,
-            max_nfev=_MOST, xtol=1e-8, ftol=1e-6, gtol=1e-8,
-        )  # fmt: skip
-        x, failed = result.x, result.status <= 0
+        x, ended = least_squares(residuals, jacobian_of, guess, scale, _MOST)
     except (ValueError, np.linalg.LinAlgError):  # the start itself is no motion
-        x, failed = guess, True
+        x, ended = guess, False
     rest, jacobian = both(x)
     row = start.copy()
     row[free] = x
@@ -113,7 +114,7 @@ def search(
     covariance = inverse(jacobian)
     return Found(
         tuple(names), row, covariance, jacobian, float(rest @ rest), degrees,
-        failed or not np.isfinite(rest).all(),
+        not ended or not np.isfinite(rest).all(),
     )  # fmt: skip
 
 

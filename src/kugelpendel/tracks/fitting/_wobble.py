@@ -9,6 +9,7 @@ import numpy as np
 from kugelpendel.parameters import Numbers
 from kugelpendel.tracks.fitting._intervals import correlations
 from kugelpendel.tracks.fitting._results import Wobble
+from kugelpendel.tracks.reduction import column
 
 _LEAST = 12
 """Windows that a mean rate with its correlation needs."""
@@ -26,8 +27,8 @@ def wobble(ellipses: Any) -> Wobble | None:
     ellipses
         As `fit` got them. None for fewer than twelve windows.
     """
-    time, azimuth = ellipses["time"].values, ellipses["azimuth"].values
-    error = ellipses["azimuth_stderr"].values
+    time, azimuth = column(ellipses, "time"), column(ellipses, "azimuth")
+    error = column(ellipses, "azimuth_stderr")
     if len(time) < _LEAST:
         return None
     apart = time - time.mean()
@@ -39,7 +40,7 @@ def wobble(ellipses: Any) -> Wobble | None:
     turned = float(np.ptp(azimuth))
     shares, sizes = [float("nan")] * 2, [float("nan")] * 2
     if turned > np.pi:
-        bent = ellipses["a"].values * ellipses["b"].values
+        bent = column(ellipses, "a") * column(ellipses, "b")
         columns = [*line, _integral(time, bent / max(float(np.abs(bent).max()), 1e-300))]
         whole = float(np.sum(_least_squares(columns, azimuth, error)[1] ** 2))
         for k, order in enumerate((2, 4)):
@@ -58,7 +59,9 @@ def _least_squares(
     """Coefficients, and the residuals in units of the errors."""
     design = np.stack(columns, axis=1)
     size = np.linalg.norm(design / error[:, None], axis=0) + 1e-300
-    found, *_ = np.linalg.lstsq(design / error[:, None] / size, values / error, rcond=None)
+    solve: Any = np.linalg.lstsq
+    solved = solve(design / error[:, None] / size, values / error, rcond=None)[0]
+    found = np.asarray(solved, dtype=float)
     return found / size, (values - design @ (found / size)) / error
 
 

@@ -10,9 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kugelpendel.errors import InvalidInput
+from kugelpendel.tracks._scipy import fast_size
 
 Array: TypeAlias = NDArray[Any]
-"""Numbers, real or complex, counts or flags; the names say which."""
+"""Real numbers, counts or flags; the names say which."""
+
+Complexes: TypeAlias = NDArray[np.complex128]
 
 LEAST_SWINGS = 3.0
 """Swings that a piece needs, so that its slopes and its middle are told apart."""
@@ -24,7 +27,7 @@ _PADDED = 4
 """The spectrum is padded to so many times the length: its peak is then within 1/8 of a cell, and
 the phase drifts by less than a quarter turn over the whole track."""
 
-_LONGEST = 200.0
+_LONGEST = 120.0
 """m: no pendulum hangs as long as this, so a track that asks for it is sampled too slowly."""
 
 _SHARPEST = 0.1
@@ -61,19 +64,25 @@ class Carrier:
         """The same with a polynomial added that follows these phases in rad at these times."""
         degree = min(degree, len(time) - 1)
         scaled = (time - self.middle) / self.half
-        added = np.polynomial.polynomial.polyfit(scaled, more, degree, w=weights)
+        added = polynomial(scaled, more, degree, weights)
         size = max(len(added), len(self.coefficients))
         padded = [np.pad(part, (0, size - len(part))) for part in (self.coefficients, added)]
         return Carrier(padded[0] + padded[1], self.middle, self.half)
 
 
-def first_guess(z: Array) -> Array:
+def polynomial(x: Array, y: Array, degree: int, weights: Array | None = None) -> Array:
+    """Coefficients of the least-squares polynomial, ascending; a column for each column of y."""
+    fit: Any = np.polynomial.polynomial.polyfit  # its types say less than nothing
+    return np.asarray(fit(x, y, degree, w=weights), dtype=float)
+
+
+def first_guess(z: Complexes) -> Array:
     """Which points are taken at first: those that lie no further out than a swing may go."""
     distance = np.abs(z - np.median(z.real) - 1j * np.median(z.imag))
-    return distance < 1.6 * np.quantile(distance, 0.9)
+    return distance <= 1.6 * np.quantile(distance, 0.9)
 
 
-def swing_frequency(time: Array, z: Array, kept: Array) -> float:
+def swing_frequency(time: Array, z: Complexes, kept: Array) -> float:
     """Angular frequency of the swing in rad/s: where the spectrum of the positions has its peak.
 
     Parameters
@@ -129,13 +138,6 @@ def usual_step(time: Array) -> float:
     return float(steps[steps < 5 * np.median(steps)].mean())
 
 
-def fast_size(least: int) -> int:
-    """A size not below this one whose Fourier transform is fast."""
-    from scipy.fft import next_fast_len
-
-    return int(next_fast_len(least))
-
-
 def pieces(time: Array, longest: float) -> list[tuple[int, int]]:
     """First index and the one behind the last of each piece without a gap longer than this, s."""
     breaks = np.flatnonzero(np.diff(time) > longest) + 1
@@ -152,20 +154,22 @@ def _parabola(power: Array, peak: int) -> float:
     return float(0.5 * (before - after) / bend) if bend < 0 else 0.0
 
 
-def _refuse_alias(omega: float, step: float, time: Array, z: Array) -> None:
+def _refuse_alias(omega: float, step: float, time: Array, z: Complexes) -> None:
     """Raise InvalidInput where the swing may be an alias of a faster one.
 
     Beside too few points to a swing, two things give it away: a length that no pendulum has, and
     times with jitter, which tell a frequency from its aliases.
     """
-    seen = {"points": 2 * np.pi / (omega * step), "period": (2 * np.pi / omega, "s")}
-    if seen["points"] < LEAST_POINTS or 9.81 / omega**2 > _LONGEST:
+    points = 2 * np.pi / (omega * step)
+    seen: dict[str, Any] = {"points": points, "period": (2 * np.pi / omega, "s")}
+    if points < LEAST_POINTS or 9.81 / omega**2 > _LONGEST:
         raise InvalidInput.of("track_aliased", **seen)
-    end = int(np.searchsorted(time, time[0] + 8 * 2 * np.pi / omega))
+    last = float(time[0]) + 8 * 2 * np.pi / omega
+    end = int(np.searchsorted(time, last))
     time, z = time[:end] - time[0], z[:end]
     if len(time) < 12:
         return
-    rest = {}
+    rest: dict[float, float] = {}
     sampling = 2 * np.pi / step
     for candidate in (omega, sampling - omega, sampling + omega):
         turn = np.exp(1j * candidate * time)
@@ -173,5 +177,6 @@ def _refuse_alias(omega: float, step: float, time: Array, z: Array) -> None:
         found, *_ = np.linalg.lstsq(basis, z, rcond=None)
         rest[candidate] = float(np.sum(np.abs(z - basis @ found) ** 2))
     best = min(rest, key=rest.__getitem__)
-    if best != omega and rest[best] < 0.5 * rest[omega]:
+    explained = rest[best] < 0.1 * float(np.sum(np.abs(z - z.mean()) ** 2))
+    if best != omega and explained and rest[best] < 0.5 * rest[omega]:
         raise InvalidInput.of("track_aliased", **seen)

@@ -13,6 +13,7 @@ from kugelpendel.tracks._track import Track
 from kugelpendel.tracks.reduction._carrier import (
     Array,
     Carrier,
+    Complexes,
     first_guess,
     swing_frequency,
     usual_step,
@@ -47,9 +48,9 @@ class _Reduced:
     """A track taken apart."""
 
     time: Array
-    z: Array
+    z: Complexes
     kept: Array
-    residuals: Array
+    residuals: Complexes
     carrier: Carrier
     windows: Windows
     noise: Noise
@@ -194,7 +195,7 @@ def _followed(windows: Windows, carrier: Carrier) -> Carrier:
     return carrier.corrected(some.middle, phase, weights, _CARRIER_DEGREE)
 
 
-def _refuse_strange(windows: Windows, rest: Array, kept: Array, inside: int) -> None:
+def _refuse_strange(windows: Windows, rest: Complexes, kept: Array, inside: int) -> None:
     """Raise InvalidInput where what is left over is no noise: another motion is in the track."""
     size = float(np.median(np.abs(windows.found[:, AHEAD]) + np.abs(windows.found[:, BEHIND])))
     left = float(np.sqrt(np.mean(np.abs(rest[kept]) ** 2))) if kept.any() else np.inf

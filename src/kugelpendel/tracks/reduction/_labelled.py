@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from kugelpendel.tracks._statistics import chi_square_limit
+from kugelpendel.parameters import Numbers
+from kugelpendel.tracks._scipy import chi_square_limit
 from kugelpendel.tracks.reduction._carrier import Array
 from kugelpendel.tracks.reduction._spectrum import Noise
 from kugelpendel.tracks.reduction._windows import AHEAD, BEHIND, CENTRE, Windows
@@ -56,6 +57,11 @@ def covariance_of(windows: Windows, noise: Noise, azimuth: Array) -> Array:
     lower = np.tril_indices(6, -1)
     out[:, lower[0], lower[1]] = out[:, lower[1], lower[0]]
     return out
+
+
+def column(ellipses: Any, name: str) -> Numbers:
+    """A variable of a data set as plain numbers."""
+    return np.asarray(ellipses[name].values, dtype=float)
 
 
 def labelled(

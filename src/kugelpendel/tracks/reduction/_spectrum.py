@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kugelpendel.tracks.reduction._carrier import Array, Carrier, fast_size, usual_step
+from kugelpendel.tracks._scipy import fast_size
+from kugelpendel.tracks.reduction._carrier import Array, Carrier, Complexes, usual_step
 from kugelpendel.tracks.reduction._windows import CLIP, Windows, basis, scatter
 
 BAND = (0.22, 0.6)
@@ -62,7 +63,7 @@ class Noise:
 
 
 def noise_of(
-    time: Array, residuals: Array, kept: Array, windows: Windows, carrier: Carrier
+    time: Array, residuals: Complexes, kept: Array, windows: Windows, carrier: Carrier
 ) -> Noise:
     """The noise at the swing's frequency, of whatever colour it is.
 
@@ -112,7 +113,7 @@ def taken(omega: Array, time: Array, windows: Windows, carrier: Carrier, omega0:
     """The share of white noise at a frequency that the fullest window takes as swing: L(ω)."""
     fullest = int(np.argmax(windows.points))
     middle, spread = windows.middle[fullest], windows.spread[fullest]
-    first = np.searchsorted(time, middle)
+    first = int(np.searchsorted(time, float(middle)))
     half = int(windows.points[fullest]) // 2
     some = slice(max(first - half, 0), first + half)
     rows = basis(time[some], carrier, middle, spread)
@@ -120,7 +121,7 @@ def taken(omega: Array, time: Array, windows: Windows, carrier: Carrier, omega0:
     grid = np.linspace(-(1 + BAND[1]), 1 + BAND[1], 2 * _LOOKED) * omega0
     waves = np.exp(1j * np.outer(time[some] - middle, grid))
     seen = rows.conj().T @ waves
-    share = np.sum(seen.conj() * (inverse @ seen), axis=0).real / len(rows)
+    share: Array = np.sum(seen.conj() * (inverse @ seen), axis=0).real / len(rows)
     return np.interp(omega, grid, share)
 
 
@@ -165,7 +166,7 @@ def _edge(size: Array, scale: float) -> float:
     return (1.0 - min(near / (0.6 * inside), 0.5)) ** 2
 
 
-def _uneven(transformed: Array, omega: Array, omega0: float) -> complex:
+def _uneven(transformed: Complexes, omega: Array, omega0: float) -> complex:
     """How far the noise ahead and the noise behind go together: C/√(S₊S₋)."""
     near = np.abs(omega - omega0) / omega0
     ahead = np.flatnonzero((near > BAND[0]) & (near < BAND[1]))
@@ -177,7 +178,7 @@ def _uneven(transformed: Array, omega: Array, omega0: float) -> complex:
     return complex(np.mean(plus * minus) / size) if size > 0 else 0.0
 
 
-def _centre(transformed: Array, slow: Array, share: Array) -> Array:
+def _centre(transformed: Complexes, slow: Array, share: Array) -> Array:
     """Levels of x and of y and their covariance, of one coordinate each, towards zero frequency."""
     index = np.flatnonzero(slow)
     if len(index) == 0:

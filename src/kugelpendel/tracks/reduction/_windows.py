@@ -8,7 +8,13 @@ from itertools import pairwise
 
 import numpy as np
 
-from kugelpendel.tracks.reduction._carrier import LEAST_SWINGS, Array, Carrier, pieces
+from kugelpendel.tracks.reduction._carrier import (
+    LEAST_SWINGS,
+    Array,
+    Carrier,
+    Complexes,
+    pieces,
+)
 
 AHEAD, BEHIND, CENTRE = 0, 1, 4
 """Where the basis has the circle that goes ahead, the one that goes behind, and the centre; the
@@ -55,8 +61,8 @@ class Windows:
     middle: Array
     spread: Array
     points: Array
-    found: Array
-    inverse: Array
+    found: Complexes
+    inverse: Complexes
 
     def __len__(self) -> int:
         return len(self.first)
@@ -85,12 +91,16 @@ def cut(time: Array, omega: float, swings: float) -> tuple[list[tuple[int, int]]
         count += 1
         parts = max(1, int(lasts / (swings * period) + 1e-9))
         bounds = time[begin] + lasts / parts * np.arange(1, parts)
-        edges = [begin, *(begin + np.searchsorted(time[begin:end], bounds)).tolist(), end]
+        edges = [
+            begin,
+            *(begin + int(np.searchsorted(time[begin:end], float(bound))) for bound in bounds),
+            end,
+        ]
         windows += pairwise(edges)
     return windows, count, left_out
 
 
-def basis(time: Array, carrier: Carrier, middle: Array, spread: Array) -> Array:
+def basis(time: Array, carrier: Carrier, middle: Array, spread: Array) -> Complexes:
     """The functions of the basis at these times, shape (*time.shape, 10).
 
     Middle and spread, in s, broadcast against the times.
@@ -106,8 +116,8 @@ def basis(time: Array, carrier: Carrier, middle: Array, spread: Array) -> Array:
 
 
 def fitted(
-    time: Array, z: Array, kept: Array, bounds: list[tuple[int, int]], carrier: Carrier
-) -> tuple[Windows, Array]:
+    time: Array, z: Complexes, kept: Array, bounds: list[tuple[int, int]], carrier: Carrier
+) -> tuple[Windows, Complexes]:
     """The swing of every window by complex least squares of the kept points.
 
     Returns
@@ -153,12 +163,12 @@ def sure(windows: Windows) -> Array:
 
 def without_outliers(
     time: Array,
-    z: Array,
+    z: Complexes,
     kept: Array,
     bounds: list[tuple[int, int]],
     carrier: Carrier,
     tell: Callable[[float], None],
-) -> tuple[Windows, Array, Array]:
+) -> tuple[Windows, Complexes, Array]:
     """As `fitted`, with outliers left out until nothing changes.
 
     Returns
@@ -179,7 +189,7 @@ def without_outliers(
     return windows, residuals, kept & inside
 
 
-def scatter(residuals: Array, kept: Array) -> float:
+def scatter(residuals: Complexes, kept: Array) -> float:
     """Standard deviation of one coordinate of the residuals, by their median.
 
     The median of |r| is √(2 ln 2) of it where both coordinates have the same normal noise.
