@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     Function: Any
     I: Any  # noqa: E741 (SymPy's name)
     Integer: Any
+    LatexPrinter: Any
     Matrix: Any
     Mul: Any
     Pow: Any
@@ -72,6 +73,7 @@ else:
         together,
         zoo,
     )
+    from sympy.printing.latex import LatexPrinter
 
 __all__ = [
     "Abs",
@@ -81,6 +83,7 @@ __all__ = [
     "Function",
     "I",
     "Integer",
+    "LatexPrinter",
     "Matrix",
     "Mul",
     "Pow",

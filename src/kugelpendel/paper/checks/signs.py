@@ -29,7 +29,7 @@ def sign(label: str) -> str:
     relation = right(label)
     if relation.op == "":
         return ""
-    if one.section == 4 and all(much_less(balanced)(relation)):
+    if one.section == 4 and all(trial.holds for trial in much_less(balanced)(relation)):
         return "≪"
     if not one.head and poses(relation):
         return "="
