@@ -31,6 +31,3 @@ class _Printer(LatexPrinter):
         number = [] if factor == 1 else [str(factor)]
         power = f"^{{{exp}}}" if exp else ""
         return " ".join([rf"\{name}{power}", *number, *(LATEX[q] for q in letters)])
-
-    def _needs_mul_brackets(self, expr: Expr, first: bool = False, last: bool = False) -> bool:
-        return False if expr.is_Function else super()._needs_mul_brackets(expr, first, last)

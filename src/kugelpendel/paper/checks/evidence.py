@@ -123,9 +123,9 @@ def evidence(label: str) -> Evidence:
         There is no such formula.
     """
     one, relation = formula(label), right(label)
-    trials = one.proof.trials(relation)
-    points, kept = [], None
-    for trial in trials:
+    points: list[Point] = []
+    kept: int | None = None
+    for trial in one.proof.trials(relation):
         points.append(_point(one, relation, trial))
         kept = trial.kept
     return Evidence(
