@@ -23,8 +23,9 @@ def test_no_mutant_survives(label: str) -> None:
     assert row.survivors == ()
     assert row.faults == ()
     assert row.killed >= 2
-    # equal ones are few: the whole equation negated or doubled, or sin² + cos² written as 1
-    assert row.equal <= 2
+    # equal ones are few: the whole equation negated or doubled, sin² + cos² written as 1, or a
+    # factor changed that stands before all of what is zero
+    assert row.equal <= 4
     assert row.holds
 
 

@@ -22,11 +22,14 @@ if TYPE_CHECKING:
     Pow: Any
     Rational: Any
     Symbol: Any
+    binomial: Any
+    cancel: Any
     chebyshevt: Any
     chebyshevu: Any
     cos: Any
     diff: Any
     expand: Any
+    expand_trig: Any
     factor: Any
     factorial: Any
     fraction: Any
@@ -35,7 +38,9 @@ if TYPE_CHECKING:
     mpf: Any
     nan: Any
     pi: Any
+    QQ: Any
     prem: Any
+    ring: Any
     sin: Any
     solve: Any
     sqrt: Any
@@ -44,6 +49,7 @@ if TYPE_CHECKING:
 else:
     from mpmath import mp, mpc, mpf
     from sympy import (
+        QQ,
         Abs,
         Add,
         Dummy,
@@ -56,17 +62,21 @@ else:
         Pow,
         Rational,
         Symbol,
+        binomial,
+        cancel,
         chebyshevt,
         chebyshevu,
         cos,
         diff,
         expand,
+        expand_trig,
         factor,
         factorial,
         fraction,
         nan,
         pi,
         prem,
+        ring,
         sin,
         solve,
         sqrt,
@@ -76,6 +86,7 @@ else:
     from sympy.printing.latex import LatexPrinter
 
 __all__ = [
+    "QQ",
     "Abs",
     "Add",
     "Dummy",
@@ -89,11 +100,14 @@ __all__ = [
     "Pow",
     "Rational",
     "Symbol",
+    "binomial",
+    "cancel",
     "chebyshevt",
     "chebyshevu",
     "cos",
     "diff",
     "expand",
+    "expand_trig",
     "factor",
     "factorial",
     "fraction",
@@ -103,6 +117,7 @@ __all__ = [
     "nan",
     "pi",
     "prem",
+    "ring",
     "sin",
     "solve",
     "sqrt",

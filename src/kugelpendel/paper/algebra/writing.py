@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from kugelpendel.paper.algebra.calculus import carry_out
+from kugelpendel.paper.algebra.calculus import carry_out, parted
 from kugelpendel.paper.algebra.symbols import LATEX
-from kugelpendel.paper.algebra.sympy_names import Expr, LatexPrinter
+from kugelpendel.paper.algebra.sympy_names import Expr, LatexPrinter, fraction
 
 
 def written(expression: Expr) -> str:
-    """Write an expression so that `notation.read` gives it back; every d/dt is carried out."""
-    latex: str = _Printer({"symbol_names": LATEX}).doprint(carry_out(expression))
+    """Write an expression so that `notation.read` gives it back; every d/dt is carried out.
+
+    Sines and cosines of a sum of angles are written by those of the angles.
+    """
+    latex: str = _Printer({"symbol_names": LATEX}).doprint(parted(carry_out(expression)))
     return latex
 
 
@@ -24,6 +27,12 @@ class _Printer(LatexPrinter):
 
     def _print_Abs(self, e: Expr, exp: str | None = None) -> str:
         return f"|{self._print(e.args[0])}|" + (f"^{{{exp}}}" if exp else "")
+
+    def _print_Integrated(self, e: Expr) -> str:
+        above, below = (self._print(part) for part in fraction(e.args[0]))
+        lower, upper = (self._print(bound) for bound in e.args[1:])
+        measure = "du" if above == "1" else f"{above} du"
+        return rf"\int_{{{lower}}}^{{{upper}}} \frac{{{measure}}}{{{below}}}"
 
     def _of_angle(self, name: str, e: Expr, exp: str | None) -> str:
         factor, angle = e.args[0].as_coeff_Mul()
