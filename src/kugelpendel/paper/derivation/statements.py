@@ -72,7 +72,7 @@ STATEMENTS: dict[str, str] = {
     "two-shares-of-frequency": r"-\frac{1}{8} = -\frac{3}{8} + \frac{1}{4}",
     "action": r"J_1 = \omega_0 A_1^2",
     "other-action": r"J_2 = \omega_0 A_2^2",
-    "normal-form": r"H = \omega_0 (J_1 + J_2) + \frac{1}{8l^2} (J_1^2 + J_2^2 - 4J_1J_2)",
+    "normal-form": r"H \approx \omega_0 (J_1 + J_2) + \frac{1}{8l^2} (J_1^2 + J_2^2 - 4J_1J_2)",
     "rate-of-normal-form": r"\omega_1 \approx \omega_0 + \frac{1}{4l^2} (J_1 - 2J_2)",
     "area": r"\pi ab",
     "three-quarters": r"\frac{3}{4}",

@@ -198,6 +198,7 @@ _SIGNS = {
     "near-the-bottom": "≈",
     "cone": "≈",
     "opposite-cone": "≈",
+    "normal-form": "≈",
     "rate-of-normal-form": "≈",
     "energy-of-ellipse": "≈",
     "frequency-by-energy": "≈",
