@@ -239,6 +239,7 @@ def truncated(expression: Expr, order: int) -> Expr:
     return Add(*taylor(expression, order)).xreplace({SHIFT: omega**2 - omega0**2})
 
 
+@lru_cache(maxsize=4096)
 def leading(expression: Expr, most: int = 8) -> tuple[int, Expr]:
     """The lowest order in ε that does not vanish, and its coefficient."""
     for order in range(most + 1):

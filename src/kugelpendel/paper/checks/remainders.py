@@ -154,15 +154,20 @@ def _of_radii(label: str) -> Dropped:
     return Dropped(left_out, right(label).rhs, RADII)
 
 
+@cache
+def _seventh() -> Expr:
+    """The left side of (12) up to the seventh order: that is where the next terms are."""
+    return truncated(small(right("12").lhs.xreplace(_RHO)), 7)
+
+
 def _fifth(label: str) -> Dropped:
     kept = right(label).difference
-    return Dropped((right("12").difference - kept).xreplace(_RHO), kept, DISPLACEMENTS)
+    return Dropped(expand(_seventh() - kept), kept, DISPLACEMENTS)
 
 
 def _next_order(label: str) -> Dropped:
     """The term after those that are kept, by (12) up to the seventh order."""
-    law = truncated(small(right("12").lhs.xreplace(_RHO)), 7)
-    swing, turning = rates(law)
+    swing, turning = rates(_seventh())
     square = Add(*(swing[k] * swing[3 - k] for k in range(4)))
     left_out = s.omega0 * turning[3] if label == "D2" else s.omega0**2 * square
     return Dropped(left_out, right(label).rhs, AXES)
