@@ -14,7 +14,7 @@ Agreed with the documents
   whose number is used twice keeps its own name here: the three displays numbered (6) are "6", "6b"
   and "6c"; `Formula.number` is the number that stands in the paper, "" without one.
 * Wording is keyed: formulas by `label`, displays by `display`, conditions and misprints by `key`,
-  sections by their number (1 to 4), step kinds by `StepKind.value`.
+  sections by their number (1 to 8), step kinds by `StepKind.value`.
 * Order is the paper's order, everywhere.
 * Nothing of a step is mere description: kind, detail, what is neglected and the conditions are
   checked by `checks.operations`, `checks.remainders` and `checks.requirements`.
