@@ -39,6 +39,7 @@ def test_what_is_written_is_read_back(label: str) -> None:
 def test_the_letters_of_a_point_are_those_of_the_formula() -> None:
     (first, *_) = paper.evidence("25").points
     assert [name for name, _ in first.values] == ["l", "a", "b", r"\omega_0", r"\Omega"]
+    assert dict(first.values)["a"].endswith("e-12")  # small, and no digit of it is lost
     (first, *_) = paper.evidence("20:x").points
     assert [name for name, _ in first.values] == ["a", "b", "x", r"\Omega t", r"\omega t"]
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 
-from kugelpendel.paper.algebra.calculus import carry_out, graded, is_zero, leading
+from kugelpendel.paper.algebra.calculus import carry_out, is_zero
 from kugelpendel.paper.algebra.notation import Relation, read
 from kugelpendel.paper.algebra.symbols import LATEX
 from kugelpendel.paper.algebra.sympy_names import Add, Expr, Integer, cos, expand, mp, sin
 from kugelpendel.paper.algebra.writing import written
 from kugelpendel.paper.checks.mutants import mutants
-from kugelpendel.paper.checks.remainders import dropped, drops
+from kugelpendel.paper.checks.remainders import order_said
 from kugelpendel.paper.checks.run import examined
 from kugelpendel.paper.derivation.graph import formula, premises, right
 from kugelpendel.paper.derivation.model import Condition, Formula, Row, StepKind
@@ -137,7 +137,7 @@ def evidence(label: str) -> Evidence:
         digits=TOLERANCE,
         kept=kept,
         neglected=one.step.neglected,
-        neglected_order=_neglected_order(label),
+        neglected_order=order_said(one),
         conditions=one.step.conditions,
     )
 
@@ -175,11 +175,4 @@ def _values(sides: list[Expr], world: World) -> tuple[tuple[str, str], ...]:
     shown = [(LATEX[q], world.value(q)) for q in sorted(letters, key=_ORDER.__getitem__)]
     angles = sorted(set(phased.values()), key=str)
     shown += [(written(angle), world.phases[angle][0]) for angle in angles]
-    return tuple((name, mp.nstr(value, TOLERANCE)) for name, value in shown)
-
-
-def _neglected_order(label: str) -> int | None:
-    if not drops(label):
-        return None
-    work = dropped(label)
-    return leading(graded(work.dropped, work.orders))[0]
+    return tuple((name, mp.nstr(value, TOLERANCE, min_fixed=-4)) for name, value in shown)

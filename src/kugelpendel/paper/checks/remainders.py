@@ -157,7 +157,7 @@ def _of_radii(label: str) -> Dropped:
 @cache
 def _seventh() -> Expr:
     """The left side of (12) up to the seventh order: that is where the next terms are."""
-    return truncated(small(right("12").lhs.xreplace(_RHO)), 7)
+    return truncated(small(right("12").lhs), 7).xreplace(_RHO)
 
 
 def _fifth(label: str) -> Dropped:
@@ -260,13 +260,25 @@ def as_said(one: Formula) -> bool:
         return False
     if one.step.kind == StepKind.AVERAGE:
         return is_zero(of_circles(said.lhs) - found.dropped)
-    claimed = graded(of_circles(put(said.lhs, _moving("16"))), found.orders)
-    if found.orders is DISPLACEMENTS:
-        claimed = graded(said.lhs.xreplace(_RHO), found.orders)
+    claimed = _claimed(said.lhs, found.orders)
     rest, order = graded(found.dropped.xreplace(_RHO), found.orders), leading(claimed)[0]
     return leading(rest - claimed)[0] > order and is_zero(
         claimed - EPS**order * claimed.subs(EPS, 1)
     )
+
+
+def _claimed(said: Expr, orders: Mapping[Expr, int]) -> Expr:
+    """What is said to be neglected, in the letters whose orders are counted."""
+    if orders is DISPLACEMENTS:
+        return graded(said.xreplace(_RHO), orders)
+    return graded(of_circles(put(said, _moving("16"))), orders)
+
+
+def order_said(one: Formula) -> int | None:
+    """The order of what the step says it neglects, which `as_said` holds against what it drops."""
+    if not one.step.neglected:
+        return None
+    return leading(_claimed(read(one.step.neglected).lhs, dropped(one.label).orders))[0]
 
 
 def dropped_harmonics(label: str) -> Expr:

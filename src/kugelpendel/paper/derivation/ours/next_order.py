@@ -17,8 +17,8 @@ from kugelpendel.paper.proofs.worlds import dynamic
 
 def _fifth(p: Premises) -> Expr:
     """(12) with its root and its fraction as series, up to the fifth order."""
-    exact = p["12"].lhs.xreplace({s.rho: sqrt(p["6:1"].rhs)})
-    return truncated(small(exact), 5)
+    series = truncated(small(p["12"].lhs), 5)
+    return series.xreplace({s.rho: sqrt(p["6:1"].rhs)})
 
 
 def _ellipse(p: Premises) -> list[Expr]:
