@@ -152,4 +152,5 @@ def test_few_formulas_need_to_be_scrolled(opened: webdriver.Chrome) -> None:
     )
     is_narrow = opened.execute_script("return innerWidth < 500")
     assert len(over) <= (5 if is_narrow else 0)
-    assert all(hidden < 40 for hidden in over)
+    # the widest is the integral C9, whose root cannot be broken
+    assert all(hidden < 70 for hidden in over)

@@ -130,7 +130,7 @@ def test_how_many_there_are_of_each_kind() -> None:
 
 def test_the_loose_equals_are_all_that_numbers_find() -> None:
     """One rule for all formulas: "=" between two expressions that are not the same."""
-    inexact = [one.label for one in paper.FORMULAS if sign(one.label) == "≈"]
+    inexact = [one.label for one in paper.FORMULAS if not one.is_ours and sign(one.label) == "≈"]
     said = [one.where for one in paper.MISPRINTS if one.kind == "loose" and one.printed == "="]
     assert inexact == said == ["12.3:1", "20.6", "20.8:1", "20.9:1", "20.10:1", "20.10:2", "23:1"]
 

@@ -23,8 +23,9 @@ def test_no_mutant_survives(label: str) -> None:
     assert row.survivors == ()
     assert row.faults == ()
     assert row.killed >= 2
-    # equal ones are few: the whole equation negated or doubled, or sin² + cos² written as 1
-    assert row.equal <= 2
+    # equal ones are few: the whole equation negated or doubled, sin² + cos² written as 1, or a
+    # factor changed that stands before all of what is zero
+    assert row.equal <= 4
     assert row.holds
 
 
@@ -58,7 +59,7 @@ def test_a_weak_proof_lets_mutants_survive() -> None:
     """The test of the test: a proof that looks at the left side only is found out."""
     from dataclasses import replace
 
-    from kugelpendel.paper.proofs.numeric import in_world
+    from kugelpendel.paper.proofs.numeric import Trial, in_world
     from kugelpendel.paper.proofs.symbolic import Proof
     from kugelpendel.paper.proofs.worlds import kinematic
 
@@ -66,10 +67,11 @@ def test_a_weak_proof_lets_mutants_survive() -> None:
         return [relation.lhs - relation.lhs]
 
     numeric = in_world(kinematic)
-    weak = replace(paper.formula("2:x"), proof=Proof(blind, lambda relation: iter([True])))
+    agreed = Trial(kinematic(0), rest=0, allowed=0)
+    weak = replace(paper.formula("2:x"), proof=Proof(blind, lambda relation: iter([agreed])))
     fates = [verdict(weak, mutant) for mutant in mutants(weak, paper.right("2:x"))]
     assert "survivor" in fates
-    assert all(numeric(paper.right("2:x")))
+    assert all(trial.holds for trial in numeric(paper.right("2:x")))
 
 
 def test_check_goes_through_all_or_some_and_reports() -> None:

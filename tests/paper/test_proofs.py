@@ -63,10 +63,22 @@ def test_printed_formula_is_rejected_by_both_proofs(label: str) -> None:
 
 
 def test_all_numbers_of_the_paper_are_there() -> None:
-    numbers = list(dict.fromkeys(one.number for one in paper.FORMULAS if one.number))
+    theirs = [one for one in paper.FORMULAS if not one.is_ours]
+    numbers = list(dict.fromkeys(one.number for one in theirs if one.number))
     assert numbers == NUMBERS
+    assert theirs == list(paper.FORMULAS[: len(theirs)])
     assert [one.section for one in paper.FORMULAS] == sorted(one.section for one in paper.FORMULAS)
     assert len(set(LABELS)) == len(LABELS)
+
+
+def test_every_display_of_our_own_has_a_number_of_its_chapter() -> None:
+    ours = [one for one in paper.FORMULAS if one.is_ours]
+    assert {one.section for one in ours} == {5, 6, 7, 8}
+    for section, letter in zip((5, 6, 7, 8), "ABCD", strict=True):
+        found = list(dict.fromkeys(one.number for one in ours if one.section == section))
+        assert found == [f"{letter}{k}" for k in range(1, len(found) + 1)]
+    assert all(one.number == one.display and not one.is_misprinted for one in ours)
+    assert not set(NUMBERS) & {one.number for one in ours}
 
 
 def test_nothing_rests_on_what_comes_later() -> None:
@@ -86,9 +98,12 @@ def test_everything_that_25_rests_on_goes_back_to_1_in_order() -> None:
 
 
 def test_only_assumptions_rest_on_nothing() -> None:
-    alone = {one.display for one in paper.FORMULAS if not one.step.premises}
+    alone = {one.display for one in paper.FORMULAS if not (one.step.premises or one.is_ours)}
     # the law, the coordinates, ρ, L, two series, the turning system and what is assumed small
     assert alone == {"1", "2", "6", "8.1", "12.1", "12.2", "17", "19"}
+    ours = {one.display for one in paper.FORMULAS if one.is_ours and not one.step.premises}
+    # the two circles, the energy, u and h, the turning points and their radii
+    assert ours == {"A1", "A2", "B6", "C1", "C3", "C5", "C10"}
 
 
 def test_a_premise_that_is_not_named_is_refused() -> None:

@@ -150,6 +150,22 @@ WORDS = [
 ]  # fmt: skip
 
 
+CIRCLES, AREAS, EXACT, NEXT = (
+    f"derivation/ours/{name}.py" for name in ("circles", "areas", "exact", "next_order")
+)
+CHAPTERS = [
+    Hand(CIRCLES, r"\Omega = \frac{1}{8}", r"\Omega = \frac{2}{8}", "A17:1", ""),
+    Hand(CIRCLES, '(c.NOT_OPPOSITE,), detail="-A_1"', '(), detail="-A_1"', "A12:1", "a = −b"),
+    Hand(AREAS, "(c.SMALL,),", "(),", "B4:2", "a large displacement"),
+    Hand(EXACT, r"\frac{19}{512}", r"\frac{21}{512}", "C11", ""),
+    Hand(EXACT, 'INTEGRATE, ("C4", "C5")', 'SUBSTITUTE, ("C4", "C5")', "C8", "“substitute”"),
+    Hand(NEXT, r"\frac{7}{32}", r"\frac{13}{96}", "D2", ""),
+    Hand(NEXT, r"\frac{309}{32768}", r"\frac{310}{32768}", "D3", "neglect"),
+    Hand(STATEMENTS, r"\frac{13}{96} + \frac{1}{12}", r"\frac{13}{96} + \frac{1}{6}",
+         "missing-twelfth", ""),
+]  # fmt: skip
+
+
 def rows_of(folder: Path, hands: Sequence[Hand]) -> dict[str, list[object]]:
     """Copy the derivation under another name, spoil the copy and examine what was spoilt."""
     copy = folder / "sabotaged"
@@ -174,7 +190,7 @@ def rows_of(folder: Path, hands: Sequence[Hand]) -> dict[str, list[object]]:
 KINDS = {
     "sign": SIGNS, "step": STEPS, "neglected": NEGLECTED, "condition": CONDITIONED,
     "needed": DROPPED, "premise": PREMISES, "printed": PRINTED, "typeset": TYPESET,
-    "statement": WORDING, "word": WORDS,
+    "statement": WORDING, "word": WORDS, "chapter": CHAPTERS,
 }  # fmt: skip
 
 

@@ -7,6 +7,7 @@ import pytest
 
 from kugelpendel import paper
 
+PRINTED = [formula for formula in paper.FORMULAS if not formula.is_ours]
 NUMBER = r"\((?:5[abc]|13[ab]|[1-46890]|1[026789]|2[0356])\)\s*(?=\\quad|&|=|\\q)"
 LAYOUT = r"\\(?:begin|end)\{aligned\}|\\left|\\right|\\quad|\\text\{[^}]*\}|\\wedge|\\\\(?!\})|&|\s"
 
@@ -25,14 +26,14 @@ def displays(shared: Path) -> list[str]:
 
 def test_every_displayed_formula_is_there_as_printed(displays: list[str]) -> None:
     ours: dict[str, str] = {}
-    for formula in paper.FORMULAS:
+    for formula in PRINTED:
         ours[formula.display] = ours.get(formula.display, "") + bare(formula.printed)
     # the paper sets some of these together and some apart; the row of signs is the same
     assert "".join(ours.values()) == "".join(displays)
 
 
 def test_every_display_of_the_text_is_one_of_ours(displays: list[str]) -> None:
-    assert len(displays) == len({formula.display for formula in paper.FORMULAS})
+    assert len(displays) == len({formula.display for formula in PRINTED})
 
 
 def test_numbers_are_those_of_the_text(shared: Path) -> None:
@@ -50,7 +51,7 @@ def test_numbers_are_those_of_the_text(shared: Path) -> None:
         if number
     ]
     ours: dict[str, str] = {}
-    for formula in paper.FORMULAS:
+    for formula in PRINTED:
         if formula.number:
             ours.setdefault(formula.display, formula.number)
     assert list(ours.values()) == found

@@ -1,6 +1,10 @@
 from .checks.conditions_violated import CONSEQUENCES as CONSEQUENCES
 from .checks.counterexample import Counterexample as Counterexample
 from .checks.counterexample import counterexample as counterexample
+from .checks.evidence import Evidence as Evidence
+from .checks.evidence import Point as Point
+from .checks.evidence import Residual as Residual
+from .checks.evidence import evidence as evidence
 from .checks.remainders import Remainder as Remainder
 from .checks.remainders import dropped_harmonics as dropped_harmonics
 from .checks.remainders import remainders as remainders
@@ -41,9 +45,12 @@ __all__ = [
     "STATEMENTS",
     "Condition",
     "Counterexample",
+    "Evidence",
     "Formula",
     "Misprint",
+    "Point",
     "Remainder",
+    "Residual",
     "Row",
     "Step",
     "StepKind",
@@ -53,6 +60,7 @@ __all__ = [
     "counterexample",
     "dropped_harmonics",
     "edges",
+    "evidence",
     "examined",
     "figure",
     "formula",

@@ -117,6 +117,7 @@ def _known_format(document_format: str | None, out: Path | None) -> str:
 def known_label(equation: str) -> str:
     """Find the label that a user means; brackets around it may stay."""
     label = equation.strip().removeprefix("(").removesuffix(")")
+    label = label[:1].upper() + label[1:]  # chapters of our own begin with a letter
     labels = [formula.label for formula in paper.FORMULAS]
     displays = list(dict.fromkeys(formula.display for formula in paper.FORMULAS))
     if label in labels or label in displays:
@@ -132,6 +133,7 @@ def nearest(label: str, displays: list[str]) -> list[str]:
     near = sorted(
         displays,
         key=lambda name: (
+            _chapter(name) != _chapter(label),
             not (_number(name) == wanted and stem.startswith(name)),
             abs(_number(name) - wanted),
             "." in name,
@@ -139,6 +141,11 @@ def nearest(label: str, displays: list[str]) -> list[str]:
     )
     chosen = set(near[:4])
     return [name for name in displays if name in chosen]
+
+
+def _chapter(label: str) -> str:
+    """Give the letter that a formula of our own begins with, "" for one of the paper."""
+    return label[:1] if label[:1].isalpha() else ""
 
 
 def _number(label: str) -> int:

@@ -10,9 +10,12 @@ from functools import cache, lru_cache
 from kugelpendel.paper.algebra.symbols import (
     RATE,
     Ddt,
+    Integrated,
     Omega,
     a,
+    alpha,
     b,
+    beta,
     l,
     omega,
     omega0,
@@ -43,6 +46,7 @@ from kugelpendel.paper.algebra.sympy_names import (
     cos,
     diff,
     expand,
+    expand_trig,
     factorial,
     fraction,
     prem,
@@ -57,6 +61,8 @@ SHIFT = Symbol("w", real=True)  # (ω² − ω0²)/ε²
 # displacements and section 4 the semi-axes that they are made of.
 DISPLACEMENTS: dict[Expr, int] = dict.fromkeys((x, y, xd, yd, xdd, ydd, rho), 1)
 SEMI_AXES: dict[Expr, int] = {a: 1, b: 1, Omega: 2, SHIFT: 2}
+AXES: dict[Expr, int] = {a: 1, b: 1}  # where Ω and ω are what is sought
+RADII: dict[Expr, int] = {alpha: 1, beta: 1}
 
 
 _supposed: ContextVar[tuple[tuple[Expr, Expr], ...]] = ContextVar("_supposed", default=())
@@ -103,6 +109,29 @@ def _cosine(angle: Expr) -> Expr:
     return Dummy(f"c({angle})", real=True)
 
 
+def _without_integrals(expression: Expr) -> Expr:
+    """A letter for each integral, one for those between equal bounds of what is the same."""
+    letters: dict[Expr, Expr] = {}
+    for one in sorted(expression.atoms(Integrated), key=str):
+        known = next((other for other in letters if _is_same_integral(one, other)), None)
+        letters[one] = letters[known] if known is not None else Dummy("integral", real=True)
+    return expression.xreplace(letters) if letters else expression
+
+
+def _is_same_integral(one: Expr, other: Expr) -> bool:
+    return all(is_zero(part - with_it) for part, with_it in zip(one.args, other.args, strict=True))
+
+
+def parted(expression: Expr) -> Expr:
+    """Sines and cosines of a sum of angles by those of the angles themselves."""
+    sums = {
+        function: expand_trig(function.func(expand(function.args[0])))
+        for function in expression.atoms(sin, cos)
+        if function.args[0].has(Add)
+    }
+    return expression.xreplace(sums) if sums else expression
+
+
 def _polynomial_angles(expression: Expr) -> tuple[Expr, list[Expr]]:
     """Sines and cosines of multiples of an angle, as polynomials in two symbols."""
     table: dict[Expr, Expr] = {}
@@ -144,7 +173,7 @@ def is_zero(expression: Expr) -> bool:
 @lru_cache(maxsize=20_000)
 def _vanishes(expression: Expr, _: tuple[tuple[Expr, Expr], ...]) -> bool:
     """Decide it once for an expression and what is supposed to move."""
-    expression, angles = _polynomial_angles(carry_out(expression))
+    expression, angles = _polynomial_angles(parted(_without_integrals(carry_out(expression))))
     roots = {p for p in expression.atoms(Pow) if p.exp.is_Rational and p.exp.q == 2}
     rules: list[tuple[Expr, Expr]] = []
     for bars in sorted(expression.atoms(Abs), key=str):  # |u| is the root of u²
@@ -210,6 +239,7 @@ def truncated(expression: Expr, order: int) -> Expr:
     return Add(*taylor(expression, order)).xreplace({SHIFT: omega**2 - omega0**2})
 
 
+@lru_cache(maxsize=4096)
 def leading(expression: Expr, most: int = 8) -> tuple[int, Expr]:
     """The lowest order in ε that does not vanish, and its coefficient."""
     for order in range(most + 1):

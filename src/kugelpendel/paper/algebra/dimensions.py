@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kugelpendel.paper.algebra.notation import Relation
-from kugelpendel.paper.algebra.symbols import DIMENSION, Ddt
+from kugelpendel.paper.algebra.symbols import DIMENSION, Ddt, Integrated
 from kugelpendel.paper.algebra.sympy_names import Abs, Add, Expr, Mul, Pow, Rational, cos, sin
 
 Powers = tuple[Expr, Expr, Expr]  # of mass, length, time
@@ -35,6 +35,8 @@ def dimension(expression: Expr) -> Powers | None:
         _common(dimension(expression.args[0]), (Rational(0),) * 3)
         return Rational(0), Rational(0), Rational(0)
     if isinstance(expression, Abs):
+        return dimension(expression.args[0])
+    if isinstance(expression, Integrated):  # over u, a number
         return dimension(expression.args[0])
     if isinstance(expression, Ddt):
         inner = dimension(expression.args[0])

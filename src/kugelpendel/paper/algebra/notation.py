@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
-from kugelpendel.paper.algebra.symbols import CARTESIAN, SPHERICAL, SYMBOL, VECTORS, Ddt
+from kugelpendel.paper.algebra.symbols import CARTESIAN, SPHERICAL, SYMBOL, VECTORS, Ddt, Integrated
 from kugelpendel.paper.algebra.sympy_names import (
     Abs,
     Add,
@@ -21,6 +21,7 @@ from kugelpendel.paper.algebra.sympy_names import (
     Pow,
     Rational,
     cos,
+    pi,
     sin,
     sqrt,
 )
@@ -42,6 +43,7 @@ _PAIRS = {("(", ")"), ("[", "]"), ("{", "}")}
 _DOTS = Atom("identifier", "…")
 _TIMES, _SLASH, _DOT = (Atom("operator", sign) for sign in "×/·")
 _TIME = Atom("identifier", "t")
+_INTEGRAL = Atom("operator", "∫")
 _DERIVATIVE = Fraction(Atom("identifier", "d"), MathList((Atom("identifier", "d"), _TIME)))
 _FUNCTIONS: dict[str, Callable[[Expr], Expr]] = {"sin": sin, "cos": cos}
 
@@ -157,10 +159,13 @@ def single(latex: str) -> Node:
 
 
 _QUANTITIES: dict[Node, Expr] = {
-    single(latex): meaning for latex, meaning in {**SYMBOL, **VECTORS}.items()
+    single(latex): meaning for latex, meaning in {**SYMBOL, **VECTORS, r"\pi": pi}.items()
 }
+_MEASURE = [Atom("identifier", "d"), single("u")]
 _ANGLES = tuple(single(latex) for latex in (r"\theta", r"\phi"))
-_FREQUENCIES = tuple(single(latex) for latex in (r"\omega", r"\omega_0", r"\Omega"))
+_FREQUENCIES = tuple(
+    single(latex) for latex in (r"\omega", r"\omega_0", r"\omega_1", r"\omega_2", r"\Omega")
+)
 
 
 class Reading:
@@ -224,6 +229,8 @@ class Reading:
                 raise self.refused("does not tell what of a power d/dt differentiates")
             value, after = self._factor(items, at + 1)
             return Ddt(value), after
+        if isinstance(node, Script) and node.base == _INTEGRAL:
+            return self._integral(node, items[at + 1 :]), len(items)
         base, exponent = self._power(node)
         if isinstance(base, Atom) and base.kind == "function":
             angle, after = self._angle(items, at + 1)
@@ -231,6 +238,19 @@ class Reading:
                 raise self.refused(f"has {base.text}, which the paper does not use")
             return Pow(_FUNCTIONS[base.text](angle), exponent), after
         return Pow(self._quantity(base), exponent), at + 1
+
+    def _integral(self, sign: Script, items: tuple[Node, ...]) -> Expr:
+        """All that follows an integral sign is what it is taken of, over du in a numerator."""
+        lower, upper = sign.below, sign.above
+        whole = items[0] if len(items) == 1 else None
+        if lower is None or upper is None or not isinstance(whole, Fraction):
+            raise self.refused("has an integral without both bounds, or not of one fraction")
+        over = list(without_spaces(_items(whole.above)))
+        if over[-2:] != _MEASURE:
+            raise self.refused("has an integral that does not end, in its numerator, with du")
+        above = self.expression(tuple(over[:-2])) if over[:-2] else Integer(1)
+        integrand = Mul(above, Pow(self.expression(_items(whole.below)), -1))
+        return Integrated(integrand, self._quantity(lower), self._quantity(upper))
 
     def _power(self, node: Node) -> tuple[Node, Expr]:
         """A base and its exponent; an index and a prime belong to the base."""

@@ -30,6 +30,21 @@ _LETTERS: dict[str, tuple[str, Dimension]] = {
     r"\omega": ("omega", (0, 0, -1)),
     r"\omega_0": ("omega_0", (0, 0, -1)),
     r"\Omega": ("Omega", (0, 0, -1)),
+    "A_1": ("A_1", (0, 1, 0)),
+    "A_2": ("A_2", (0, 1, 0)),
+    r"\omega_1": ("omega_1", (0, 0, -1)),
+    r"\omega_2": ("omega_2", (0, 0, -1)),
+    "E": ("E", (0, 2, -2)),
+    "h": ("h", (0, 0, -1)),
+    "u": ("u", (0, 0, 0)),
+    "u_1": ("u_1", (0, 0, 0)),
+    "u_2": ("u_2", (0, 0, 0)),
+    "u_3": ("u_3", (0, 0, 0)),
+    r"\alpha": ("alpha", (0, 0, 0)),
+    r"\beta": ("beta", (0, 0, 0)),
+    "H": ("H", (0, 2, -2)),
+    "J_1": ("J_1", (0, 2, -1)),
+    "J_2": ("J_2", (0, 2, -1)),
     "L_x": ("L_x", (1, 2, -1)),
     "L_y": ("L_y", (1, 2, -1)),
     "L_z": ("L_z", (1, 2, -1)),
@@ -41,7 +56,7 @@ _LETTERS: dict[str, tuple[str, Dimension]] = {
     r"\vec{e}_\phi": ("e_phi", (0, 0, 0)),
 }
 _POSITIVE = ("m", "g", "l", "omega_0")
-_MOVING = ("x", "y", "z", r"\theta", r"\phi")
+_MOVING = ("x", "y", "z", r"\theta", r"\phi", "u")
 _STILL = ("l", "a", "b", r"\Omega")  # constant in the paper; conditions speak of their rates
 
 SYMBOL: dict[str, Expr] = {}  # LaTeX → symbol
@@ -81,11 +96,20 @@ xp, yp, r, rho = SYMBOL["x'"], SYMBOL["y'"], SYMBOL["r"], SYMBOL[r"\rho"]
 theta, thetad, thetadd = (SYMBOL[s] for s in (r"\theta", r"\dot{\theta}", r"\ddot{\theta}"))
 phi, phid, phidd = (SYMBOL[s] for s in (r"\phi", r"\dot{\phi}", r"\ddot{\phi}"))
 omega, omega0, Omega = SYMBOL[r"\omega"], SYMBOL[r"\omega_0"], SYMBOL[r"\Omega"]
+A_1, A_2, omega_1, omega_2 = (SYMBOL[s] for s in ("A_1", "A_2", r"\omega_1", r"\omega_2"))
+E, h, H, J_1, J_2 = (SYMBOL[s] for s in ("E", "h", "H", "J_1", "J_2"))
+u, ud, u_1, u_2, u_3 = (SYMBOL[s] for s in ("u", r"\dot{u}", "u_1", "u_2", "u_3"))
+alpha, beta = SYMBOL[r"\alpha"], SYMBOL[r"\beta"]
 e_x, e_y, e_z = (SYMBOL[rf"\vec{{e}}_{q}"] for q in "xyz")
 e_r, e_theta, e_phi = (SYMBOL[rf"\vec{{e}}_{q}"] for q in ("r", r"\theta", r"\phi"))
 
 CARTESIAN = (e_x, e_y, e_z)
 SPHERICAL = (e_r, e_theta, e_phi)
+
+# The two circular motions that make the ellipse: what they are in its letters.
+CIRCLES: dict[Expr, Expr] = {
+    A_1: (a + b) / 2, A_2: (a - b) / 2, omega_1: omega + Omega, omega_2: omega - Omega,
+}  # fmt: skip
 
 VECTORS: dict[str, Expr] = {
     r"\vec{r}": x * e_x + y * e_y + z * e_z,
@@ -97,3 +121,7 @@ VECTORS: dict[str, Expr] = {
 
 class Ddt(Function):
     """d/dt of its argument along the motion, not yet carried out."""
+
+
+class Integrated(Function):
+    """The integral of the first argument over u, from the second to the third, as it stands."""

@@ -16,16 +16,20 @@ if TYPE_CHECKING:
     Function: Any
     I: Any  # noqa: E741 (SymPy's name)
     Integer: Any
+    LatexPrinter: Any
     Matrix: Any
     Mul: Any
     Pow: Any
     Rational: Any
     Symbol: Any
+    binomial: Any
+    cancel: Any
     chebyshevt: Any
     chebyshevu: Any
     cos: Any
     diff: Any
     expand: Any
+    expand_trig: Any
     factor: Any
     factorial: Any
     fraction: Any
@@ -34,7 +38,9 @@ if TYPE_CHECKING:
     mpf: Any
     nan: Any
     pi: Any
+    QQ: Any
     prem: Any
+    ring: Any
     sin: Any
     solve: Any
     sqrt: Any
@@ -43,6 +49,7 @@ if TYPE_CHECKING:
 else:
     from mpmath import mp, mpc, mpf
     from sympy import (
+        QQ,
         Abs,
         Add,
         Dummy,
@@ -55,25 +62,31 @@ else:
         Pow,
         Rational,
         Symbol,
+        binomial,
+        cancel,
         chebyshevt,
         chebyshevu,
         cos,
         diff,
         expand,
+        expand_trig,
         factor,
         factorial,
         fraction,
         nan,
         pi,
         prem,
+        ring,
         sin,
         solve,
         sqrt,
         together,
         zoo,
     )
+    from sympy.printing.latex import LatexPrinter
 
 __all__ = [
+    "QQ",
     "Abs",
     "Add",
     "Dummy",
@@ -81,16 +94,20 @@ __all__ = [
     "Function",
     "I",
     "Integer",
+    "LatexPrinter",
     "Matrix",
     "Mul",
     "Pow",
     "Rational",
     "Symbol",
+    "binomial",
+    "cancel",
     "chebyshevt",
     "chebyshevu",
     "cos",
     "diff",
     "expand",
+    "expand_trig",
     "factor",
     "factorial",
     "fraction",
@@ -100,6 +117,7 @@ __all__ = [
     "nan",
     "pi",
     "prem",
+    "ring",
     "sin",
     "solve",
     "sqrt",

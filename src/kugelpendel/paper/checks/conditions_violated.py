@@ -30,7 +30,7 @@ from kugelpendel.paper.checks.remainders import (
     remainders,
     third_harmonic,
 )
-from kugelpendel.paper.derivation.graph import right
+from kugelpendel.paper.derivation.graph import formula, right
 from kugelpendel.paper.derivation.section1 import turned_plumb_line
 from kugelpendel.paper.derivation.statements import STATEMENTS
 
@@ -238,6 +238,24 @@ def cartesian_small() -> bool:
     return all(is_zero(terms[k]) for k in (0, 2, 4))
 
 
+def over_the_top() -> bool:
+    """In a plane and with E > 2gl, u̇² has no zeros on the sphere but both ends of the vertical.
+
+    There is no highest point: (C7) divides by 0, and the pendulum goes round.
+    """
+    square = right("C4").rhs.xreplace({s.h: 0})
+    ends = all(is_zero(square.subs(s.u, end)) for end in (1, -1))
+    zeros = set(solve(square, s.u)) - {1, -1}
+    beyond = [zero.subs({s.E: 3, s.g: 1, s.l: 1}) for zero in zeros]
+    return ends and len(beyond) == 1 and bool(beyond[0] < -1)
+
+
+def beyond_c12() -> bool:
+    """What (C11) and (C12) lack is of sixth order; (C8) and (C9) name no condition but (C7)'s."""
+    orders = {one.order for one in remainders() if one.label in ("C11", "C12")}
+    return orders == {6} and not any(formula(f"C{k}").step.conditions for k in (8, 9))
+
+
 CONSEQUENCES: dict[str, Callable[[], bool]] = {
     "slack": slack,
     "longer": longer,
@@ -257,4 +275,6 @@ CONSEQUENCES: dict[str, Callable[[], bool]] = {
     "y_equation": y_equation,
     "circle": circle,
     "symmetry": symmetry,
+    "over_the_top": over_the_top,
+    "beyond_c12": beyond_c12,
 }

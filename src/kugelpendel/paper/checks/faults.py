@@ -65,6 +65,8 @@ def of_premises(one: Formula) -> tuple[str, ...]:
 
 def of_print(one: Formula) -> tuple[str, ...]:
     """Whether it is printed as in the paper, and each difference is listed and no other."""
+    if one.is_ours:
+        return ("is not in the paper and cannot be misprinted",) if one.is_misprinted else ()
     found: list[str] = []
     if not is_as_printed(one):
         found.append("is not printed as it stands in the paper")

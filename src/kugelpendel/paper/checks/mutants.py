@@ -36,6 +36,13 @@ _CYCLES: tuple[tuple[Expr, ...], ...] = (
     (s.zdd, s.xdd),
     (s.r, s.rho),
     (s.T, s.m),
+    (s.A_1, s.A_2),
+    (s.omega_1, s.omega_2),
+    (s.u, s.u_1, s.u_2, s.u_3),
+    (s.alpha, s.beta),
+    (s.J_1, s.J_2),
+    (s.h, s.phid),
+    (s.ud, s.h),
 )
 _NEIGHBOUR: dict[Expr, Expr] = {}
 for _cycle in _CYCLES:
@@ -47,6 +54,8 @@ _ANGLE = {
     s.phi: s.theta,
     s.omega * s.t: s.Omega * s.t,
     s.Omega * s.t: s.omega * s.t,
+    s.omega_1 * s.t: s.omega_2 * s.t,
+    s.omega_2 * s.t: s.omega_1 * s.t,
     s.omega0 * s.t: 2 * s.omega0 * s.t,
 }
 

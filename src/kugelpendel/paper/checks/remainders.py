@@ -7,9 +7,12 @@ from dataclasses import dataclass
 from functools import cache
 
 from kugelpendel.paper.algebra import symbols as s
+from kugelpendel.paper.algebra.balance import rates
 from kugelpendel.paper.algebra.calculus import (
+    AXES,
     DISPLACEMENTS,
     EPS,
+    RADII,
     SEMI_AXES,
     SHIFT,
     carry_out,
@@ -17,11 +20,14 @@ from kugelpendel.paper.algebra.calculus import (
     harmonic,
     is_zero,
     leading,
+    parted,
     small,
     truncated,
 )
 from kugelpendel.paper.algebra.notation import read
-from kugelpendel.paper.algebra.sympy_names import Add, Dummy, Expr, diff, expand, factor, sqrt
+from kugelpendel.paper.algebra.swing import frequency, precession, product
+from kugelpendel.paper.algebra.symbols import Integrated
+from kugelpendel.paper.algebra.sympy_names import Add, Dummy, Expr, cos, diff, expand, factor, sqrt
 from kugelpendel.paper.derivation.graph import formula, right
 from kugelpendel.paper.derivation.model import Formula, StepKind
 from kugelpendel.paper.proofs.symbolic import put
@@ -103,6 +109,70 @@ def _harmonics(label: str) -> Dropped:
     return Dropped(dropped_harmonics(label), right(label).rhs, SEMI_AXES)
 
 
+def of_circles(expression: Expr) -> Expr:
+    """The two circular motions in the letters of the ellipse, whose orders are counted."""
+    return parted(expression.xreplace(s.CIRCLES))
+
+
+def _circles(label: str) -> Dropped:
+    """The line before, or the equation before, less what is kept."""
+    before = {"A7:2": "A7:1", "A8:2": "A8:1", "A8:3": "A8:2"}[label]
+    kept = right(label).rhs
+    return Dropped(of_circles(right(before).rhs - kept), of_circles(kept), SEMI_AXES)
+
+
+def _equation(label: str) -> Dropped:
+    kept = right(label).difference
+    before = {"A16": right("A15").difference, "A19:1": right("A18").difference / 2}[label]
+    return Dropped(before - kept, kept, SEMI_AXES)
+
+
+def _moment(label: str) -> Dropped:
+    kept = right(label).rhs
+    return Dropped(right("B1:1").rhs - kept, kept, SEMI_AXES)
+
+
+def _angle_of_a_swing(label: str) -> Dropped:
+    """By (25), what stays of it with ω0 for ω."""
+    whole = right(label).lhs
+    return Dropped(whole - whole.xreplace({s.omega: s.omega0}), right(label).rhs, SEMI_AXES)
+
+
+def _carried(label: str) -> Dropped:
+    kept = right(label).rhs
+    below = {cos(s.theta): sqrt(1 - (s.x**2 + s.y**2) / s.l**2)}
+    return Dropped(right("B4:1").rhs.xreplace(below) - kept, kept, DISPLACEMENTS)
+
+
+def _of_radii(label: str) -> Dropped:
+    """The term after those that are kept, of the series of the exact rates."""
+    time, azimuth = (next(iter(right(q).rhs.atoms(Integrated))).args[0] for q in ("C8", "C9"))
+    third, moment = right("C7").rhs, (-right("C5").rhs).subs(s.u, 1)
+    found = frequency(time, third)
+    found = product(found, found) if label == "C11" else precession(time, azimuth, third, moment)
+    left_out = found[-1].xreplace({s.g: s.omega0**2 * s.l})
+    return Dropped(left_out, right(label).rhs, RADII)
+
+
+@cache
+def _seventh() -> Expr:
+    """The left side of (12) up to the seventh order: that is where the next terms are."""
+    return truncated(small(right("12").lhs), 7).xreplace(_RHO)
+
+
+def _fifth(label: str) -> Dropped:
+    kept = right(label).difference
+    return Dropped(expand(_seventh() - kept), kept, DISPLACEMENTS)
+
+
+def _next_order(label: str) -> Dropped:
+    """The term after those that are kept, by (12) up to the seventh order."""
+    swing, turning = rates(_seventh())
+    square = Add(*(swing[k] * swing[3 - k] for k in range(4)))
+    left_out = s.omega0 * turning[3] if label == "D2" else s.omega0**2 * square
+    return Dropped(left_out, right(label).rhs, AXES)
+
+
 _DROPPING: dict[str, Callable[[str], Dropped]] = {
     "12.1": _series,
     "12.2": _series,
@@ -115,6 +185,19 @@ _DROPPING: dict[str, Callable[[str], Dropped]] = {
     "20.8:1": _harmonics,
     "20.10:2": _harmonics,
     "23.4": _balance,
+    "A7:2": _circles,
+    "A8:2": _circles,
+    "A8:3": _circles,
+    "A16": _equation,
+    "A19:1": _equation,
+    "B1:2": _moment,
+    "B3": _angle_of_a_swing,
+    "B4:2": _carried,
+    "C11": _of_radii,
+    "D1": _fifth,
+    "D2": _next_order,
+    "D3": _next_order,
+    "C12": _of_radii,
 }
 
 
@@ -176,14 +259,26 @@ def as_said(one: Formula) -> bool:
     if said.op:
         return False
     if one.step.kind == StepKind.AVERAGE:
-        return is_zero(said.lhs - found.dropped)
-    claimed = graded(put(said.lhs, _moving("16")), found.orders)
-    if one.section == 2:
-        claimed = graded(said.lhs.xreplace(_RHO), found.orders)
+        return is_zero(of_circles(said.lhs) - found.dropped)
+    claimed = _claimed(said.lhs, found.orders)
     rest, order = graded(found.dropped.xreplace(_RHO), found.orders), leading(claimed)[0]
     return leading(rest - claimed)[0] > order and is_zero(
         claimed - EPS**order * claimed.subs(EPS, 1)
     )
+
+
+def _claimed(said: Expr, orders: Mapping[Expr, int]) -> Expr:
+    """What is said to be neglected, in the letters whose orders are counted."""
+    if orders is DISPLACEMENTS:
+        return graded(said.xreplace(_RHO), orders)
+    return graded(of_circles(put(said, _moving("16"))), orders)
+
+
+def order_said(one: Formula) -> int | None:
+    """The order of what the step says it neglects, which `as_said` holds against what it drops."""
+    if not one.step.neglected:
+        return None
+    return leading(_claimed(read(one.step.neglected).lhs, dropped(one.label).orders))[0]
 
 
 def dropped_harmonics(label: str) -> Expr:

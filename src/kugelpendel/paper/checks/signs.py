@@ -9,17 +9,21 @@ follows: there "=" is right.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 
+from kugelpendel.paper.algebra import symbols as s
 from kugelpendel.paper.algebra.notation import Relation
 from kugelpendel.paper.algebra.symbols import VECTORS
 from kugelpendel.paper.algebra.sympy_names import Expr, Pow, mp, mpf
 from kugelpendel.paper.derivation.graph import FORMULAS, right
-from kugelpendel.paper.derivation.model import Formula
+from kugelpendel.paper.derivation.model import PAPER, Formula
+from kugelpendel.paper.proofs.exact import swinging
 from kugelpendel.paper.proofs.numeric import POINTS, much_less
-from kugelpendel.paper.proofs.worlds import DIGITS, balanced, dynamic, ellipse
+from kugelpendel.paper.proofs.worlds import DIGITS, World, balanced, dynamic, ellipse
 
 _SAME = 50  # digits
+_EXACT = 7  # the chapter on the exact motion
 
 
 @cache
@@ -29,12 +33,12 @@ def sign(label: str) -> str:
     relation = right(label)
     if relation.op == "":
         return ""
-    if one.section == 4 and all(much_less(balanced)(relation)):
+    if one.section == 4 and all(trial.holds for trial in much_less(balanced)(relation)):
         return "≪"
     if not one.head and poses(relation):
         return "="
     left = _before(one).rhs if one.head else relation.lhs
-    exact = _is_same(left, relation.rhs, one.section)
+    exact = _is_same(left, relation.rhs, _world(one))
     if r"\dots" in one.right:
         return "≈" if exact else "="
     return "=" if exact else "≈"
@@ -52,11 +56,20 @@ def _before(one: Formula) -> Relation:
     return right(FORMULAS[at - 1].label)
 
 
-def _is_same(left: Expr, right_side: Expr, section: int) -> bool:
+def _world(one: Formula) -> Callable[[int], World]:
+    """Where a formula's letters have a meaning: in the ansatz, or in a motion on the sphere."""
+    if one.section == _EXACT:
+        return swinging
+    relation = right(one.label)
+    angles = relation.lhs.has(s.theta, s.phi) or relation.rhs.has(s.theta, s.phi)
+    return dynamic if one.section < PAPER or angles else ellipse
+
+
+def _is_same(left: Expr, right_side: Expr, make: Callable[[int], World]) -> bool:
     """Whether two expressions have one value at random points, to 50 digits."""
     with mp.workdps(DIGITS):
         for seed in range(POINTS):
-            world = ellipse(seed) if section == 4 else dynamic(seed)
+            world = make(seed)
             one, other = world.value(left), world.value(right_side)
             if abs(one - other) > max(abs(one), abs(other), 1) * mpf(10) ** (-_SAME):
                 return False

@@ -35,4 +35,6 @@ INDEPENDENT = Condition("independent", r"\omega \Omega \neq 0", True, "independe
 OTHER_EQUATION = Condition("y-equation", "", True, "y_equation")
 NOT_OPPOSITE = Condition("not-opposite-circle", r"a \neq -b", True, "circle")
 NOT_CIRCLE = Condition("not-circle", r"a \neq b", True, "circle")
+MEAN_BELOW = Condition("mean-below", r"u_1 + u_2 \neq 0", False, "over_the_top")
+SMALL_RADII = Condition("small-radii", r"|\alpha|, |\beta| \ll 1", False, "beyond_c12")
 SAME_BY_SYMMETRY = Condition("symmetry", "", True, "symmetry")

@@ -1,4 +1,4 @@
-"""All formulas in the paper's order, and what each rests on."""
+"""All formulas in the paper's order, then those of our own chapters, and what each rests on."""
 
 from __future__ import annotations
 
@@ -6,6 +6,10 @@ from collections.abc import Iterator, Mapping
 
 from kugelpendel.paper.algebra.notation import Relation, read
 from kugelpendel.paper.derivation.model import Formula
+from kugelpendel.paper.derivation.ours.areas import FORMULAS as _AREAS
+from kugelpendel.paper.derivation.ours.circles import FORMULAS as _CIRCLES
+from kugelpendel.paper.derivation.ours.exact import FORMULAS as _SWING
+from kugelpendel.paper.derivation.ours.next_order import FORMULAS as _NEXT
 from kugelpendel.paper.derivation.section1 import FORMULAS as _MOTION
 from kugelpendel.paper.derivation.section2_coordinates import FORMULAS as _CARTESIAN
 from kugelpendel.paper.derivation.section2_exact import FORMULAS as _EXACT
@@ -21,6 +25,10 @@ FORMULAS: tuple[Formula, ...] = (
     *_INFINITESIMAL,
     *_FINITE,
     *_BALANCE,
+    *_CIRCLES,
+    *_AREAS,
+    *_SWING,
+    *_NEXT,
 )
 _BY_LABEL = {formula.label: formula for formula in FORMULAS}
 

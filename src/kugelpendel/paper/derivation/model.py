@@ -6,13 +6,15 @@ Agreed with the documents
   everything: `notation.read` turns them into the `Relation` (SymPy) that the proofs judge, so what
   is typeset is what is proved. They are equal where nothing is wrong. No environments (aligned,
   pmatrix apart), no `&`, no number "(5a)"; a line that continues a chain starts with its relation.
+* Sections after the paper's four are ours. Their formulas are numbered A1, A2, …, B1, …: every
+  display has a number, `Formula.is_ours` holds, and `printed` is `right`.
 * Labels: "5a" is the paper's number. An unnumbered display after (10) is "10.1", "10.2", …, before
   (1) there is none. Several claims in one display are its parts, told apart by what follows a
   colon: "2:x", "2:y", "2:z", "10.7:1" … `Formula.display` is the label without the part. A display
   whose number is used twice keeps its own name here: the three displays numbered (6) are "6", "6b"
   and "6c"; `Formula.number` is the number that stands in the paper, "" without one.
 * Wording is keyed: formulas by `label`, displays by `display`, conditions and misprints by `key`,
-  sections by their number (1 to 4), step kinds by `StepKind.value`.
+  sections by their number (1 to 8), step kinds by `StepKind.value`.
 * Order is the paper's order, everywhere.
 * Nothing of a step is mere description: kind, detail, what is neglected and the conditions are
   checked by `checks.operations`, `checks.remainders` and `checks.requirements`.
@@ -26,6 +28,13 @@ from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
     from kugelpendel.paper.proofs.symbolic import Proof
+
+
+PAPER = 4
+"""How many sections the paper has; later ones are ours."""
+
+CHAPTERS = "ABCD"
+"""The letters that the formulas of our own chapters begin with."""
 
 
 class StepKind(StrEnum):
@@ -49,6 +58,7 @@ class StepKind(StrEnum):
     COMPARE = "compare"  # coefficients of independent functions of time
     ADD = "add"
     SUBTRACT = "subtract"
+    INTEGRATE = "integrate"  # over a swing, from one turning point to the next
     STATE = "state"  # no step of the paper: said in the wording
 
 
@@ -161,6 +171,11 @@ class Formula:
         return self.label.partition(":")[0]
 
     @property
+    def is_ours(self) -> bool:
+        """Whether it is not in the paper, but of the chapters that this project adds."""
+        return self.section > PAPER
+
+    @property
     def is_misprinted(self) -> bool:
         """Whether something else stands in the paper than should."""
         return self.printed != self.right
@@ -176,14 +191,16 @@ def claim(
     number: str = "",
     head: str = "",
 ) -> Formula:
-    """A formula of the paper; `printed` only where it differs, the section by its number."""
-    return Formula(
-        label, section_of(label), printed or right, right, step, proof, number=number, head=head
-    )
+    """A formula; `printed` only where it differs in the paper, the section by its number."""
+    section = section_of(label)
+    named = number or (label.partition(":")[0] if section > PAPER else "")
+    return Formula(label, section, printed or right, right, step, proof, number=named, head=head)
 
 
 def section_of(label: str) -> int:
-    """The paper's section: (1) to (5c), (6) to (13), (16), (17) to (26)."""
+    """The paper's section: (1) to (5c), (6) to (13), (16), (17) to (26); ours: A, B, C, D."""
+    if label[0] in CHAPTERS:
+        return PAPER + 1 + CHAPTERS.index(label[0])
     count = int("".join(q if q.isdigit() else " " for q in label).split()[0])
     if label.startswith("5.") or 6 <= count <= 13:
         return 2

@@ -68,14 +68,43 @@ STATEMENTS: dict[str, str] = {
     "omega-beside-omega": r"2ab\omega\Omega",
     "third-component": r"m (x\dot{y} - y\dot{x})",
     "in-a-plane": r"x\dot{y} = y\dot{x}",
+    "two-shares": r"\frac{3}{8} = \frac{1}{8} + \frac{1}{4}",
+    "two-shares-of-frequency": r"-\frac{1}{8} = -\frac{3}{8} + \frac{1}{4}",
+    "action": r"J_1 = \omega_0 A_1^2",
+    "other-action": r"J_2 = \omega_0 A_2^2",
+    "normal-form": r"H \approx \omega_0 (J_1 + J_2) + \frac{1}{8l^2} (J_1^2 + J_2^2 - 4J_1J_2)",
+    "rate-of-normal-form": r"\omega_1 \approx \omega_0 + \frac{1}{4l^2} (J_1 - 2J_2)",
+    "area": r"\pi ab",
+    "three-quarters": r"\frac{3}{4}",
+    "energy-of-ellipse": r"E \approx \frac{1}{2} \omega_0^2 (a^2 + b^2)",
+    "frequency-by-energy": r"\omega^2 \approx \omega_0^2 \left( 1 - \frac{E}{4gl} \right)",
+    "low-of-25": r"\frac{7}{32} \frac{a^2 + b^2}{l^2}",
+    "cubic-alone": (
+        r"\Omega = \frac{3}{8} \omega_0 \frac{ab}{l^2} "
+        r"\left( 1 + \frac{13}{96} \frac{a^2 + b^2}{l^2} \right)"
+    ),
+    "missing-twelfth": r"\frac{7}{32} = \frac{13}{96} + \frac{1}{12}",
 }
 
 
 @cache
 def sentences(language: str) -> Mapping[str, Any]:
     """Read the wording of a language as it is, with the names of statements and figures in it."""
-    file = files("kugelpendel.paper.document") / "sentences" / f"{language}.toml"
-    return tomllib.loads(file.read_text(encoding="utf-8"))
+    folder = files("kugelpendel.paper.document") / "sentences"
+    paper, ours = (
+        tomllib.loads((folder / f"{name}.toml").read_text(encoding="utf-8"))
+        for name in (language, f"{language}_chapters")
+    )
+    return _joined(paper, ours)
+
+
+def _joined(first: Mapping[str, Any], second: Mapping[str, Any]) -> dict[str, Any]:
+    """Two files of sentences as one; what is a table in both holds the entries of both."""
+    both = {
+        key: _joined(first[key], entry) if isinstance(first.get(key), dict) else entry
+        for key, entry in second.items()
+    }
+    return {**first, **both}
 
 
 def named_statements(text: str) -> tuple[str, ...]:

@@ -121,7 +121,7 @@ class _Latex:
             case "inline":
                 return self._written(token.children or [])
             case "math_inline":
-                return f"${token.content}$"
+                return f"${latex.inline(token.content)}$"
             case "code_inline":
                 return f"\\texttt{{{escape(token.content).replace('--', '-{}-')}}}"
             case "softbreak":

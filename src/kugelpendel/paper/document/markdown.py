@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING
 
+from kugelpendel.paper.derivation.model import PAPER
+from kugelpendel.paper.document.comparison import comparison
 from kugelpendel.paper.document.dialect import BREAK
 from kugelpendel.paper.document.outline import counts
 from kugelpendel.paper.document.prose import spans
@@ -91,7 +93,9 @@ class Writer:
             found.append(Part("conventions", ui("conventions"), agreed))
         found.extend(self._chapter(chapter) for chapter in document.chapters)
         if is_whole:
+            found.append(self._accuracy())
             found.append(self._told("closing"))
+            found.append(self._told("history"))
         if document.misprints:
             text = f"{self.say(ui('misprints_lead'))}\n\n{self.misprints()}"
             found.append(Part("misprints", ui("misprints"), text))
@@ -139,8 +143,15 @@ class Writer:
         paragraphs = (self.say(one) for one in self._words.paragraphs(name))
         return Part(name, self._ui(name), "\n\n".join(paragraphs))
 
+    def _accuracy(self) -> Part:
+        """Write how good (25) and (26) are at some amplitudes."""
+        part = self._told("accuracy")
+        return Part(part.key, part.title, f"{part.text}\n\n{_table(*comparison(self._words))}")
+
     def _chapter(self, chapter: Chapter) -> Part:
         lead = [] if self._document.target else [f"*{self.say(chapter.lead)}*"]
+        if chapter.number > PAPER:
+            lead.append(self.say(self._ui("ours")))
         displays = (self._display(display) for display in chapter.displays)
         title = f"{chapter.number} {chapter.title}"
         return Part(f"section-{chapter.number}", title, "\n\n".join([*lead, *displays]))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 
 from kugelpendel.paper.algebra.dimensions import InhomogeneousError, dimension
 from kugelpendel.paper.algebra.notation import Relation
@@ -12,22 +13,48 @@ from kugelpendel.paper.proofs.worlds import DIGITS, Number, World, ellipse
 POINTS = 3
 TOLERANCE = 50  # digits
 EXPONENT = 12  # the small sizes are 1e-12
-Numeric = Callable[[Relation], Iterator[bool]]  # one answer per random point
 
 
-def _agrees(relation: Relation, world: World, size: Number = 1) -> bool:
-    left, right = world.value(relation.lhs), world.value(relation.rhs)
-    scale = max(abs(left), abs(right), size)
-    return abs(left - right) <= scale * mpf(10) ** (-TOLERANCE)
+@dataclass(frozen=True)
+class Trial:
+    """What a relation gives at one random point.
+
+    Attributes
+    ----------
+    world
+        The random point.
+    rest
+        By how much the relation fails there; infinite where it means nothing.
+    allowed
+        How much of that is rounding, or belongs to an order that is not kept.
+    kept
+        The highest order that is kept, None in an exact formula.
+    """
+
+    world: World
+    rest: Number
+    allowed: Number
+    kept: int | None = None
+
+    @property
+    def holds(self) -> bool:
+        """Whether the relation is true there."""
+        return bool(self.rest <= self.allowed)
+
+
+Numeric = Callable[[Relation], Iterator[Trial]]  # one answer per random point
 
 
 def in_world(make: Callable[[int], World]) -> Numeric:
     """Exactly true."""
 
-    def numeric(relation: Relation) -> Iterator[bool]:
+    def numeric(relation: Relation) -> Iterator[Trial]:
         with mp.workdps(DIGITS):
             for seed in range(POINTS):
-                yield _agrees(relation, make(seed))
+                world = make(seed)
+                left, right = world.value(relation.lhs), world.value(relation.rhs)
+                scale = max(abs(left), abs(right), 1)
+                yield Trial(world, abs(left - right), scale * mpf(10) ** (-TOLERANCE))
 
     return numeric
 
@@ -35,13 +62,13 @@ def in_world(make: Callable[[int], World]) -> Numeric:
 def to_order(kept: int, make: Callable[[int, int], World]) -> Numeric:
     """True up to and including the order `kept`: at sizes 1e-12, the rest is 1e-12 times less."""
 
-    def numeric(relation: Relation) -> Iterator[bool]:
+    def numeric(relation: Relation) -> Iterator[Trial]:
         with mp.workdps(DIGITS + kept * EXPONENT):
             eps = mpf(10) ** (-EXPONENT)
             for seed in range(POINTS):
                 world = make(seed, EXPONENT)
                 rest = world.value(relation.lhs) - world.value(relation.rhs)
-                yield abs(rest) <= eps**kept * eps / 2 * 100
+                yield Trial(world, abs(rest), eps**kept * eps / 2 * 100, kept)
 
     return numeric
 
@@ -62,7 +89,7 @@ def first_harmonics(kept: int | None, pure: bool = True, beats: int = 8) -> Nume
     """
     exponent = 0 if kept is None else EXPONENT
 
-    def numeric(relation: Relation) -> Iterator[bool]:
+    def numeric(relation: Relation) -> Iterator[Trial]:
         with mp.workdps(DIGITS + (kept or 0) * EXPONENT):
             size = mpf(10) ** (-TOLERANCE)
             if kept is not None:
@@ -70,12 +97,12 @@ def first_harmonics(kept: int | None, pure: bool = True, beats: int = 8) -> Nume
             for seed in range(POINTS):
                 worlds = [ellipse(seed, exponent, beat, beats) for beat in range(beats)]
                 rest = [world.value(relation.lhs) - world.value(relation.rhs) for world in worlds]
-                good = all(abs(_part(rest, 1, f)) <= size for f in (mp.cos, mp.sin))
-                if good and pure:
+                wrong = max(abs(_part(rest, 1, f)) for f in (mp.cos, mp.sin))
+                if pure and wrong <= size:
                     right = [world.value(relation.rhs) for world in worlds]
-                    others = [_part(right, k, f) for k in (0, 2, 3) for f in (mp.cos, mp.sin)]
-                    good = all(abs(part) <= size for part in others)
-                yield good
+                    others = ((k, f) for k in (0, 2, 3) for f in (mp.cos, mp.sin))
+                    wrong = max(wrong, *(abs(_part(right, k, f)) for k, f in others))
+                yield Trial(worlds[0], wrong, size, kept)
 
     return numeric
 
@@ -89,7 +116,7 @@ def _part(values: list[Number], order: int, function: Callable[[Number], Number]
 def much_less(make: Callable[[int, int], World]) -> Numeric:
     """0 < lhs, of one dimension with rhs, and lhs/rhs of the order ε² at least."""
 
-    def numeric(relation: Relation) -> Iterator[bool]:
+    def numeric(relation: Relation) -> Iterator[Trial]:
         try:
             alike = dimension(relation.lhs) == dimension(relation.rhs)
         except InhomogeneousError:
@@ -98,6 +125,7 @@ def much_less(make: Callable[[int, int], World]) -> Numeric:
             for seed in range(POINTS):
                 world = make(seed, EXPONENT)
                 left, right = world.value(relation.lhs), world.value(relation.rhs)
-                yield alike and 0 < left < right * mpf(10) ** (-EXPONENT)
+                is_size = alike and left > 0 and right > 0
+                yield Trial(world, left / right if is_size else mp.inf, mpf(10) ** (-EXPONENT))
 
     return numeric

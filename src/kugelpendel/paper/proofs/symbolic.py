@@ -6,13 +6,13 @@ proof that accepts the right formula rejects the printed one and the mutants.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 from kugelpendel.paper.algebra.calculus import carry_out, is_zero
 from kugelpendel.paper.algebra.notation import Relation, read
 from kugelpendel.paper.algebra.sympy_names import Expr
-from kugelpendel.paper.proofs.numeric import Numeric
+from kugelpendel.paper.proofs.numeric import Numeric, Trial
 
 Rules = dict[Expr, Expr]
 Symbolic = Callable[[Relation, "Premises"], list[Expr]]
@@ -84,12 +84,16 @@ class Proof:
 
     def true_in_numbers(self, relation: Relation, quick: bool = False) -> bool:
         """Whether it is true at random points; `quick`: at the first one."""
+        trials = self.trials(relation)
+        return next(trials).holds if quick else all(trial.holds for trial in trials)
+
+    def trials(self, relation: Relation) -> Iterator[Trial]:
+        """Try it at one random point after the other."""
         if self.if_equal is not None and relation.op == "=":
-            return self.if_equal.true_in_numbers(relation, quick)
+            return self.if_equal.trials(relation)
         if self.against:
             relation = Relation(read(self.against).lhs, "=", relation.difference)
-        answers = self.numeric(relation)
-        return next(answers) if quick else all(answers)
+        return self.numeric(relation)
 
 
 def follows(derive: Callable[[Premises], Expr | Relation]) -> Symbolic:

@@ -13,7 +13,7 @@ from random import Random
 from typing import Any
 
 from kugelpendel.paper.algebra import symbols as s
-from kugelpendel.paper.algebra.symbols import RATE, SYMBOL, Ddt
+from kugelpendel.paper.algebra.symbols import CIRCLES, RATE, SYMBOL, Ddt, Integrated
 from kugelpendel.paper.algebra.sympy_names import (
     Abs,
     Add,
@@ -25,11 +25,12 @@ from kugelpendel.paper.algebra.sympy_names import (
     mp,
     mpc,
     mpf,
+    pi,
     sin,
 )
+from kugelpendel.paper.proofs.quadrature import Number, over_swing
 
 DIGITS = 60
-Number = Any  # mpmath's mpf, which has no types
 Path = Callable[[Number], Number]
 Vector = tuple[Number, Number, Number]
 
@@ -67,6 +68,8 @@ class World:
             return self._letter(e, tau)
         if e is I:
             return mpc(0, 1)
+        if e is pi:
+            return +mp.pi
         if e.is_Rational:
             return mpf(int(e.p)) / int(e.q)
         if isinstance(e, Add):
@@ -82,7 +85,21 @@ class World:
             return abs(self.value(e.args[0], tau))
         if isinstance(e, Ddt):
             return mp.diff(partial(self.value, e.args[0]), tau)
+        if isinstance(e, Integrated):
+            return self._integral(e, tau)
         raise TypeError(f"{e} is not an expression of the paper.")
+
+    def _integral(self, e: Expr, tau: Number) -> Number:
+        """Between two values of u, near which 20 digits go: differences of nearly equal numbers."""
+        integrand, lower, upper = e.args
+        with mp.workdps(mp.dps + 20):
+            others = integrand.free_symbols - {s.u}
+            known = {letter: self.value(letter, tau) for letter in others}
+            bounds = self.value(lower, tau), self.value(upper, tau)
+            found = over_swing(
+                lambda u: World({**known, s.u: u}, {}).value(integrand), *bounds, mp.dps - 18
+            )
+        return +found
 
     def _power(self, e: Expr, tau: Number) -> Number:
         base, exponent = self.value(e.base, tau), e.exp
@@ -157,6 +174,9 @@ def _with_vectors(constants: dict[Expr, Number], paths: dict[Expr, Path], rng: R
     for axis, name in enumerate(("L_x", "L_y", "L_z")):
         turning = tuple(mp.diff(partial(_component, k, axis, place), 0) for k in range(3))
         constants[SYMBOL[name]] = constants[s.m] * dot(speed, turning)
+    length, gravity = constants[s.l], constants[s.g]
+    constants[s.E] = dot(speed, speed) / 2 + gravity * (length - place[2])
+    constants[s.h] = (place[0] * speed[1] - place[1] * speed[0]) / length**2
     return World(constants, paths)
 
 
@@ -265,6 +285,11 @@ def linear(seed: int) -> World:
     return World(constants, paths)
 
 
+def circles(constants: dict[Expr, Number]) -> dict[Expr, Number]:
+    """Give the two circular motions of an ellipse, from its semi-axes and frequencies."""
+    return {letter: World(constants, {}).value(e) for letter, e in CIRCLES.items()}
+
+
 def _ellipse(constants: dict[Expr, Number], swing: Number, turn: Number) -> World:
     """The turning ellipse at the phases ωt = swing, Ωt = turn."""
     a, b = constants[s.a], constants[s.b]
@@ -284,8 +309,14 @@ def _ellipse(constants: dict[Expr, Number], swing: Number, turn: Number) -> Worl
         s.xp: lambda tau: mpc(resting(tau)).real,
         s.yp: lambda tau: mpc(resting(tau)).imag,
     }
-    phases = {s.omega * s.t: (swing, fast), s.Omega * s.t: (turn, slow)}
-    return World(constants, paths, phases)
+    both = circles(constants)
+    phases = {
+        s.omega * s.t: (swing, fast),
+        s.Omega * s.t: (turn, slow),
+        s.omega_1 * s.t: (swing + turn, both[s.omega_1]),
+        s.omega_2 * s.t: (swing - turn, both[s.omega_2]),
+    }
+    return World({**constants, **both}, paths, phases)
 
 
 def _slow_constants(rng: Random, exponent: int) -> dict[Expr, Number]:

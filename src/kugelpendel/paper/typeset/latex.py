@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from kugelpendel.paper.typeset.breaks import is_break, lines
+from kugelpendel.paper.typeset.breaks import is_break, lines, pieces, width
 from kugelpendel.paper.typeset.tex import (
     FUNCTIONS,
     IDENTIFIERS,
@@ -26,6 +26,9 @@ from kugelpendel.paper.typeset.tex import (
 if TYPE_CHECKING:
     from kugelpendel.paper.typeset.breaks import Piece
 
+_LINE = 60
+"""How wide a formula within a sentence may be before TeX has to break it."""
+
 _NAMES = {sign: f"\\{name}" for name, sign in {**OPERATORS, **IDENTIFIERS}.items()} | {"−": "-"}
 _ACCENTS = {"\u0307": "\\dot", "\u0308": "\\ddot", "\u20d7": "\\vec"}
 _DELIMITERS = {"{": "\\{", "}": "\\}", "|": "|", "": "."}
@@ -34,6 +37,17 @@ _DELIMITERS = {"{": "\\{", "}": "\\}", "|": "|", "": "."}
 def display(source: str, room: float) -> str:
     """Write a displayed formula, as ``aligned`` lines where it is wider than `room` signs."""
     return written(read(source), room)
+
+
+def inline(source: str) -> str:
+    """Write a formula within a sentence; one that is wider than a line may be broken in it.
+
+    TeX does not break within brackets that grow with what they hold, so wide ones are opened.
+    """
+    row = read(source)
+    return (
+        source if width(row) < _LINE else _row(tuple(q for part in pieces(row.items) for q in part))
+    )
 
 
 def written(row: MathList, room: float) -> str:

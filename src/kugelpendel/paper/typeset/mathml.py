@@ -25,10 +25,10 @@ from kugelpendel.paper.typeset.tex import (
 if TYPE_CHECKING:
     from kugelpendel.paper.typeset.breaks import Piece
 
-_THIN = '<mspace width="0.17em"></mspace>'
+_THIN = '<mspace width="0.17em"/>'
 _SHORT = 14
 """Signs that a line of text always has room for."""
-_HAIR = '<mspace width="0.1em"></mspace>'
+_HAIR = '<mspace width="0.1em"/>'
 _ACCENTS = {"\u0307": "˙", "\u0308": "¨", "\u20d7": "→"}
 
 
@@ -172,7 +172,7 @@ def _atom(atom: Atom) -> str:
         case "function":
             return f"<mi>{atom.text}</mi><mo>\u2061</mo>"
         case "space":
-            return f'<mspace width="{atom.text}em"></mspace>'
+            return f'<mspace width="{atom.text}em"/>'
         case "text":
             return f"<mtext>{escape(atom.text)}</mtext>"
         case _:

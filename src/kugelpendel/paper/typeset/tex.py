@@ -12,15 +12,15 @@ import re
 from dataclasses import dataclass
 
 IDENTIFIERS = {
-    "alpha": "α", "delta": "δ", "varepsilon": "ε", "theta": "θ", "lambda": "λ", "pi": "π",
-    "rho": "ρ", "phi": "φ", "psi": "ψ", "omega": "ω", "Omega": "Ω", "infty": "∞", "ldots": "…",
-    "dots": "…",
+    "alpha": "α", "beta": "β", "delta": "δ", "varepsilon": "ε", "theta": "θ", "lambda": "λ",
+    "pi": "π", "rho": "ρ", "phi": "φ", "psi": "ψ", "omega": "ω", "Omega": "Ω", "infty": "∞",
+    "ldots": "…", "dots": "…",
 }  # fmt: skip
 OPERATORS = {
     "cdot": "·", "times": "×", "ll": "≪", "gg": "≫", "wedge": "∧", "neq": "≠", "ne": "≠",
     "approx": "≈", "leq": "≤", "le": "≤", "geq": "≥", "ge": "≥", "pm": "±", "to": "→", "sim": "∼",
     "Rightarrow": "⇒", "Leftrightarrow": "⇔", "lt": "<", "gt": ">", "equiv": "≡", "propto": "∝",
-    "leftrightarrow": "↔", "in": "∈",
+    "leftrightarrow": "↔", "in": "∈", "int": "∫",
 }  # fmt: skip
 RELATIONS = frozenset("=≪≫≠≈≤≥→∼⇒⇔<>≡∝↔∈∧")
 FUNCTIONS = frozenset({"sin", "cos", "tan", "sgn", "min", "max"})

@@ -150,6 +150,8 @@ def _divisor(node: Node) -> str:
 
 def _script(node: Script) -> str:
     text = _node(node.base)
+    if text == "∫" and node.below is not None and node.above is not None:
+        return f"∫[{_node(node.below)} … {_node(node.above)}] "
     if node.below is not None:
         below = _node(node.below)
         small = below.translate(_BELOW)

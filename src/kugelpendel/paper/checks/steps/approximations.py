@@ -7,7 +7,7 @@ from kugelpendel.paper.algebra.calculus import is_zero, small, taylor
 from kugelpendel.paper.algebra.notation import Relation, read
 from kugelpendel.paper.algebra.symbols import RATE
 from kugelpendel.paper.algebra.sympy_names import Add, Expr, Pow, cos, diff, sin
-from kugelpendel.paper.checks.remainders import dropped, drops
+from kugelpendel.paper.checks.remainders import dropped, drops, of_circles
 from kugelpendel.paper.checks.steps.work import Work, same
 
 
@@ -25,9 +25,9 @@ def is_average(work: Work) -> bool:
     if not drops(work.one.label) or not work.premises:
         return False
     gone = dropped(work.one.label).dropped
-    kept = (work.before or work.premises[-1]).rhs - gone
+    kept = of_circles((work.before or work.premises[-1]).rhs) - gone
     multiples = {f.args[0].as_coeff_Mul()[0] for f in gone.atoms(sin, cos) if f.has(s.omega)}
-    return multiples == {3} and same(work.relation.rhs, kept)
+    return multiples == {3} and same(of_circles(work.relation.rhs), kept)
 
 
 def is_neglect(work: Work) -> bool:

@@ -192,7 +192,7 @@ def is_completion(work: Work) -> bool:
 def is_comparison(work: Work) -> bool:
     """The factor of one function of time."""
     detail = work.detail()
-    if len(detail) != 1 or work.relation.rhs != 0 or not detail[0].has(s.t):
+    if len(detail) != 1 or work.relation.rhs != 0 or not detail[0].has(s.t, s.u):
         return False
     return any(
         same_equation(expand(p.difference).coeff(detail[0]), work.relation.lhs)

@@ -33,6 +33,7 @@ from kugelpendel.paper.checks.steps.conversions import (
     is_substitution,
     is_sum,
 )
+from kugelpendel.paper.checks.steps.integrations import is_integration
 from kugelpendel.paper.checks.steps.work import Work
 from kugelpendel.paper.derivation.graph import FORMULAS, parts, right
 from kugelpendel.paper.derivation.model import Formula, Step, StepKind
@@ -87,4 +88,5 @@ _MEANING: dict[StepKind, Callable[[Work], bool]] = {
     StepKind.COMPARE: is_comparison,
     StepKind.ADD: lambda work: is_sum(work, 1),
     StepKind.SUBTRACT: lambda work: is_sum(work, -1),
+    StepKind.INTEGRATE: is_integration,
 }

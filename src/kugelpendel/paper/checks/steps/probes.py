@@ -9,8 +9,8 @@ from kugelpendel.paper.algebra import symbols as s
 from kugelpendel.paper.algebra.calculus import SHIFT, graded, is_zero, leading, supposing
 from kugelpendel.paper.algebra.notation import denominators, read
 from kugelpendel.paper.algebra.requirement import Requirement, required
-from kugelpendel.paper.algebra.symbols import STILL, Ddt
-from kugelpendel.paper.algebra.sympy_names import Abs, Expr, Pow, Rational, mp, mpf
+from kugelpendel.paper.algebra.symbols import CIRCLES, STILL, Ddt
+from kugelpendel.paper.algebra.sympy_names import Abs, Add, Expr, Pow, Rational, diff, mp, mpf
 from kugelpendel.paper.checks.remainders import dropped, drops, highest
 from kugelpendel.paper.derivation.graph import parts, premises, right
 from kugelpendel.paper.derivation.model import Condition, Formula, StepKind
@@ -171,9 +171,12 @@ def _has_other_root(one: Formula) -> bool:
 def with_moving(name: str, *letters: Expr) -> Probe:
     """A constant that changes with time."""
     rates = {letter: STILL[letter] for letter in letters}
+    moved = set(rates.values())
+    for circular, meaning in CIRCLES.items():  # they move with what they are made of
+        rates[circular] = Add(*(diff(meaning, letter) * STILL[letter] for letter in letters))
 
     def fails(condition: Condition) -> bool:
-        return bool(condition.latex) and not demands(condition).isdisjoint(rates.values())
+        return bool(condition.latex) and not demands(condition).isdisjoint(moved)
 
     def breaks(one: Formula) -> bool:
         with supposing(rates) as asked:
@@ -185,8 +188,13 @@ def with_moving(name: str, *letters: Expr) -> Probe:
     return Probe(name, fails, breaks)
 
 
-def of_size(name: str, section: int, orders: Mapping[Expr, int]) -> Probe:
-    """A quantity that is not as small as it is taken to be."""
+def of_size(
+    name: str, counting: Mapping[Expr, int], orders: Mapping[Expr, int], at_rest: bool = False
+) -> Probe:
+    """A quantity that is not as small as it is taken to be, for steps that count in these orders.
+
+    `at_rest`: for the ellipse of section 3, which does not turn.
+    """
 
     def order(e: Expr) -> int:
         return leading(graded(e, orders))[0]
@@ -201,9 +209,11 @@ def of_size(name: str, section: int, orders: Mapping[Expr, int]) -> Probe:
         return any(order(left) <= order(right_side) for left, right_side in sides)
 
     def breaks(one: Formula) -> bool:
-        if one.section != section or not drops(one.label) or one.step.kind == StepKind.AVERAGE:
+        if not drops(one.label) or one.step.kind == StepKind.AVERAGE:
             return False
         work = dropped(one.label)
+        if work.orders is not counting or (one.section == 3) != at_rest:
+            return False
         return order(work.dropped) <= highest(work.kept, orders)
 
     return Probe(name, fails, breaks, is_size=True)

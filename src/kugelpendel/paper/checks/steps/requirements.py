@@ -13,7 +13,14 @@ from collections.abc import Mapping
 from functools import cache
 
 from kugelpendel.paper.algebra import symbols as s
-from kugelpendel.paper.algebra.calculus import DISPLACEMENTS, SEMI_AXES, SHIFT, is_zero
+from kugelpendel.paper.algebra.calculus import (
+    DISPLACEMENTS,
+    RADII,
+    SEMI_AXES,
+    SHIFT,
+    is_zero,
+    parted,
+)
 from kugelpendel.paper.algebra.notation import NotationError, read
 from kugelpendel.paper.algebra.requirement import Requirement, required
 from kugelpendel.paper.algebra.symbols import STILL
@@ -31,6 +38,7 @@ from kugelpendel.paper.checks.steps.probes import (
 from kugelpendel.paper.derivation import conditions
 from kugelpendel.paper.derivation.graph import FORMULAS, parts, rests_on, right
 from kugelpendel.paper.derivation.model import Condition, Formula, StepKind
+from kugelpendel.paper.proofs.exact import swinging
 from kugelpendel.paper.proofs.numeric import EXPONENT
 from kugelpendel.paper.proofs.violations import slack, turning_frame, upwards
 from kugelpendel.paper.proofs.worlds import DIGITS, balanced, dynamic
@@ -89,6 +97,7 @@ def is_met(condition: Condition) -> bool:
     demanded = tuple(Requirement(r.left.xreplace(still), r.sign, r.right) for r in demanded)
     letters = {q for one in demanded for q in one.left.free_symbols | one.right.free_symbols}
     make = balanced if letters & {s.a, s.b, s.omega, s.Omega} else dynamic
+    make = swinging if letters & {s.u_1, s.u_2, s.alpha, s.beta} else make
     with mp.workdps(DIGITS + 4 * EXPONENT):
         return all(is_so(one, make(seed, EXPONENT)) for one in demanded for seed in range(3))
 
@@ -114,15 +123,17 @@ def _leaves_an_equation_out(one: Formula) -> bool:
     """Whether the bracket that is set to zero comes from (13a) alone: (16) only lends its form."""
     before = set(rests_on(one.label))
     sources = (f for f in FORMULAS if f.label in before and f.section != 3)
-    return one.step.kind == StepKind.COMPARE and not any("13b" in f.step.premises for f in sources)
+    named = {name for f in sources for name in f.step.premises}
+    return one.step.kind == StepKind.COMPARE and "13a" in named and "13b" not in named
 
 
 def _compares_dependent(one: Formula, values: Mapping[Expr, Expr]) -> bool:
     """Whether one of the functions that are compared is then no function of its own."""
     if one.step.kind != StepKind.COMPARE:
         return False
-    details = [part.step.detail for part in parts(one.display)]
-    return any(is_zero(read(detail).lhs.subs(values)) for detail in details)
+    details = [read(part.step.detail).lhs for part in parts(one.display)]
+    first, *others = (parted(detail.xreplace(s.CIRCLES)).subs(values) for detail in details)
+    return any(is_zero(detail) or is_zero(detail - first) for detail in others) or is_zero(first)
 
 
 def _leaves_harmonics_out(one: Formula) -> bool:
@@ -156,16 +167,18 @@ PROBES: tuple[Probe, ...] = (
     at_place("on the equator", _EQUATOR),
     at_place("above the support", _ABOVE, above=True),
     at_place("in the plane x = 0", {s.x: 0}),
-    at_place("a circle, a = b", {s.a: s.b}),
-    at_place("a circle, a = −b", {s.a: -s.b}),
+    at_place("turning points as far above as below", {s.u_1: -s.u_2}),
+    at_place("a circle, a = b", {s.a: s.b, s.A_2: 0}),
+    at_place("a circle, a = −b", {s.a: -s.b, s.A_1: 0}),
     in_words("ω0² other than g/l", "omega-zero", _exchanges_gravity),
-    of_size("a large displacement", 2, _SMALL_PLACE),
-    of_size("a large velocity", 2, {**DISPLACEMENTS, s.xd: 0, s.yd: 0}),
-    of_size("an ellipse that is not so small", 3, {**SEMI_AXES, s.a: 0, s.b: 0}),
-    of_size("a fast turning", 4, {**SEMI_AXES, s.Omega: 0}),
-    of_size("a narrow ellipse", 4, {**SEMI_AXES, s.b: 3}),
-    of_size("another frequency", 4, {**SEMI_AXES, SHIFT: 0}),
-    of_size("a turning as fast as the frequency shifts", 4, {**SEMI_AXES, s.Omega: 1}),
+    of_size("a large displacement", DISPLACEMENTS, _SMALL_PLACE),
+    of_size("a large velocity", DISPLACEMENTS, {**DISPLACEMENTS, s.xd: 0, s.yd: 0}),
+    of_size("an ellipse not so small", SEMI_AXES, {**SEMI_AXES, s.a: 0, s.b: 0}, at_rest=True),
+    of_size("turning radii that are not small", RADII, {s.alpha: 0, s.beta: 0}),
+    of_size("a fast turning", SEMI_AXES, {**SEMI_AXES, s.Omega: 0}),
+    of_size("a narrow ellipse", SEMI_AXES, {**SEMI_AXES, s.b: 3}),
+    of_size("another frequency", SEMI_AXES, {**SEMI_AXES, SHIFT: 0}),
+    of_size("a turning as fast as the frequency shifts", SEMI_AXES, {**SEMI_AXES, s.Omega: 1}),
     _no_function("no turning", {s.Omega: 0}),
     in_words("third harmonics", "third-harmonics", _leaves_harmonics_out),
     in_words("an equation for y of its own", "y-equation", _leaves_an_equation_out),

@@ -110,6 +110,8 @@ FIGURES: dict[str, Callable[[], int]] = {
     "order-omega-squared": lambda: _share_order(s.Omega**2),
     "order-of-shift": lambda: _share_order(s.omega**2 - s.omega0**2),
     "components-of-L": lambda: sum(right("8.1:3").rhs.has(unit) for unit in s.CARTESIAN),
+    "order-c12": lambda: _remainder("C12")[1],
+    "order-d1": lambda: _remainder("D1")[0],
     "order-12.3": lambda: _remainder("12.3:1")[1],
 }
 _SAYING: dict[int, tuple[str, ...]] = {
@@ -117,7 +119,7 @@ _SAYING: dict[int, tuple[str, ...]] = {
     3: ("drei", "dritte", "three", "third"),
     4: ("vier", "vierte", "four", "fourth"),
     5: ("fünf", "fünfte", "five", "fifth"),
-    6: ("sechs", "six"),
+    6: ("sechs", "sechste", "six", "sixth"),
     12: ("zwölf", "twelve"),
 }
 

@@ -31,6 +31,7 @@ from kugelpendel.paper.algebra.sympy_names import (
 )
 from kugelpendel.paper.checks.conditions_violated import cone, lengthening
 from kugelpendel.paper.checks.remainders import remainders, third_harmonic
+from kugelpendel.paper.checks.wording import chapters
 from kugelpendel.paper.derivation import conditions as c
 from kugelpendel.paper.derivation.graph import right
 from kugelpendel.paper.derivation.statements import STATEMENTS
@@ -197,11 +198,15 @@ _SIGNS = {
     "near-the-bottom": "≈",
     "cone": "≈",
     "opposite-cone": "≈",
+    "normal-form": "≈",
+    "rate-of-normal-form": "≈",
+    "energy-of-ellipse": "≈",
+    "frequency-by-energy": "≈",
     **dict.fromkeys(
         (
             "period-factor", "tripled", "tripled-phase",
             "pumping-term", "root-above", "missing-in-13a", "third-harmonic", "squared-share",
-            "omega-beside-omega", "third-component",
+            "omega-beside-omega", "third-component", "area", "three-quarters", "low-of-25",
         ),
         "",
     ),
@@ -261,4 +266,17 @@ _JUDGES: dict[str, Judge] = {
     "omega-beside-omega": _same(_slow_lacks),
     "third-component": _third_component,
     "in-a-plane": _is_in_a_plane,
+    "two-shares": chapters.shares,
+    "two-shares-of-frequency": chapters.shares,
+    "action": chapters.is_action,
+    "other-action": chapters.is_action,
+    "normal-form": chapters.is_normal_form,
+    "rate-of-normal-form": chapters.is_rate,
+    "area": _same(chapters.area),
+    "three-quarters": _same(chapters.share_of_turning),
+    "energy-of-ellipse": chapters.is_energy,
+    "frequency-by-energy": chapters.is_frequency,
+    "low-of-25": _same(chapters.share_of_25),
+    "cubic-alone": chapters.is_cubic_alone,
+    "missing-twelfth": chapters.is_twelfth,
 }

@@ -1,0 +1,1 @@
+"""The chapters that this project adds to the paper: what a reader asks next."""
