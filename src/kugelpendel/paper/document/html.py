@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 from markdown_it.renderer import RendererHTML
 
 from kugelpendel.paper.document.dialect import BREAK, is_math, parser
-from kugelpendel.paper.document.graph_svg import Box, contracted, draw
 from kugelpendel.paper.document.markdown import Part, Writer, anchor
 from kugelpendel.paper.document.outline import graph
+from kugelpendel.paper.document.pictures.graph import Box, contracted, draw
 from kugelpendel.paper.document.prose import sentence
 from kugelpendel.paper.typeset import mathml
 

@@ -95,6 +95,7 @@ class Writer:
         if is_whole:
             found.append(self._accuracy())
             found.append(self._told("closing"))
+            found.append(self._told("example"))
             found.append(self._told("history"))
         if document.misprints:
             text = f"{self.say(ui('misprints_lead'))}\n\n{self.misprints()}"
@@ -164,6 +165,10 @@ class Writer:
             lines = [lines[0], self._fold(display.lines[1:-1], lines[1:-1]), lines[-1]]
         style = "numbered" if display.is_numbered else "between"
         say = f"{tag} {self.say(display.say)}".rstrip()
+        number = self._words.number(display.label)
+        if number:
+            text = f"**{self._ui('in_the_example')}:** {self.say(number)}"
+            lines.append(f'<div class="number">\n\n{text}\n\n</div>')
         body = "\n\n".join([say, *lines, self._steps(display)])
         return f'<div class="display {style}" id="{anchor(display.label)}">\n\n{body}\n\n</div>'
 

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any, cast
 
 from kugelpendel.paper.derivation.statements import resolved, sentences
+from kugelpendel.paper.document.example import values
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from kugelpendel.paper.derivation.model import Misprint
+
+_NAME = re.compile(r"<([a-z0-9-]+)>")
 
 
 @dataclass(frozen=True)
@@ -43,8 +47,17 @@ class Words:
         return str(self.tables["subtitle"])
 
     def paragraphs(self, name: str) -> tuple[str, ...]:
-        """Give the introduction, the conventions or the closing."""
-        return tuple(self.tables[name])
+        """Give the introduction, the conventions, the closing or the example."""
+        return tuple(self._filled(one) for one in self.tables[name])
+
+    def number(self, label: str) -> str:
+        """Say what a display means for the pendulum of the example; "" where nothing is said."""
+        return self._filled(self.tables["number"].get(label, ""))
+
+    def picture(self, key: str) -> Mapping[str, str]:
+        """Give title, caption and description of a picture, and the words in it."""
+        entry: dict[str, str] = self.tables["picture"][key]
+        return {name: self._filled(text) for name, text in entry.items()}
 
     def section(self, number: int) -> tuple[str, str]:
         """Give title and lead of one of the paper's sections."""
@@ -91,6 +104,10 @@ class Words:
     def misprint(self, key: str) -> str:
         """Say what is wrong, and how one knows."""
         return str(self.tables["misprint"][key])
+
+    def _filled(self, text: str) -> str:
+        """Put the numbers of the example in the places of their names."""
+        return _NAME.sub(lambda found: values(self.language)[found[1]], text)
 
 
 def quoted(text: str) -> str:

@@ -1,0 +1,1 @@
+"""Pictures of the derivation as SVG: drawn from its formulas and described in words."""
