@@ -31,8 +31,10 @@ from .derivation.model import Step as Step
 from .derivation.model import StepKind as StepKind
 from .derivation.statements import LANGUAGES as LANGUAGES
 from .derivation.statements import STATEMENTS as STATEMENTS
+from .document.proof import Proofs as Proofs
 from .document.wording import Words as Words
 from .document.wording import words as words
+from .rendering import handout as handout
 from .rendering import misprint_list as misprint_list
 from .rendering import write as write
 
@@ -49,6 +51,7 @@ __all__ = [
     "Formula",
     "Misprint",
     "Point",
+    "Proofs",
     "Remainder",
     "Residual",
     "Row",
@@ -64,6 +67,7 @@ __all__ = [
     "examined",
     "figure",
     "formula",
+    "handout",
     "misprint_list",
     "parts",
     "printed",

@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from functools import cache
 from typing import TYPE_CHECKING
 
 from kugelpendel.paper.checks.counterexample import counterexample
 from kugelpendel.paper.derivation.graph import FORMULAS, parts, rests_on
 from kugelpendel.paper.derivation.misprints import MISPRINTS
+from kugelpendel.paper.document import handout as handouts
 from kugelpendel.paper.document import html, latex, markdown, terminal
 from kugelpendel.paper.document.markdown import Writer
 from kugelpendel.paper.document.outline import Derivation, compose
 
 if TYPE_CHECKING:
     from kugelpendel.paper.document.outline import Document
+    from kugelpendel.paper.document.proof import Proofs
+
+_PAPER = 4
+"""How many sections the paper has."""
 
 
 def composed(language: str, target: str = "") -> Document:
@@ -26,7 +32,12 @@ def composed(language: str, target: str = "") -> Document:
 
 
 def write(
-    language: str, form: str, target: str = "", width: int = 80, coloured: bool = False
+    language: str,
+    form: str,
+    target: str = "",
+    width: int = 80,
+    coloured: bool = False,
+    proofs: Proofs | None = None,
 ) -> str:
     """Write the derivation.
 
@@ -42,6 +53,8 @@ def write(
         The number of signs in a line, of text.
     coloured
         Whether text may hold a terminal's colours.
+    proofs
+        What a page shows as checked; without it the page does not say whether a step is proved.
 
     Raises
     ------
@@ -51,13 +64,25 @@ def write(
     whole = composed(language, target)
     match form:
         case "html":
-            return html.write(whole)
+            return html.write(whole, proofs)
         case "md":
             return markdown.write(whole)
         case "latex":
             return latex.write(whole)
         case _:
             return terminal.write(whole, width, coloured)
+
+
+def handout(language: str) -> str:
+    """Write the handout: the paper's numbered equations on a few sheets, as HTML to print.
+
+    It has pictures and numbers, and shows every formula as it should be.
+    """
+    paper = [one for one in FORMULAS if one.section <= _PAPER]
+    numbered = {one.display for one in paper if one.number}
+    shown = [one.label for one in paper if one.display in numbered]
+    right = tuple(replace(one, printed=one.right) for one in FORMULAS)
+    return handouts.write(compose(Derivation(right, (), _evidence), language, shown, ""))
 
 
 def misprint_list(language: str, width: int = 80, coloured: bool = False) -> str:

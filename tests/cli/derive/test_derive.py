@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -79,6 +80,20 @@ def test_markdown_without_a_file(call: Any) -> None:
         (["3", "--out", "no/a.html"], "no/a.html cannot be written: No such file or directory"),
         (["3", "--format", "md", "--out", "."], "cannot be written: it is a folder"),
         (["--check", "--misprints"], "--check and --misprints are two commands"),
+        (["--handout", "--check"], "--check and --handout are two commands; give one of them."),
+        (
+            ["25", "--handout"],
+            "page of the whole derivation, in a file that ends in .html; leave",
+        ),
+        (["--handout", "25"], "leave out the equation."),
+        (["--handout", "--format", "md"], "leave out --format."),
+        (["--handout", "--out", "a.tex"], "leave out --out."),
+        (["--handout", "--json"], "--json prints what --check or --misprints finds"),
+        (["--handout", "--lang", "fr"], "in the language 'fr'; choose --lang de or --lang en."),
+        (["--handout", "--out", "no/a.html"], "no/a.html cannot be written: No such file or dir"),
+        (["--out", "no/a.html"], "no/a.html cannot be written: No such file or directory"),
+        (["3", "--check", "--format", "html", "--json"], "leave out --format."),
+        (["3", "--check", "--out", "-"], "writes a page only as HTML; leave out --out."),
         (["--check", "--out", "a.txt"], "leave out --out."),
         (["3", "--misprints", "--format", "md"], "leave out --format and the equation."),
         (["--check", "7"], "no equation '7'"),
@@ -176,6 +191,53 @@ def test_a_file_in_the_users_own_folder(
     assert not (tmp_path / "~").exists()
 
 
+@pytest.mark.parametrize("language", ["de", "en"])
+def test_a_handout_has_a_file_by_default(call: Any, tmp_path: Path, language: str) -> None:
+    outcome = call("--handout", "--lang", language)
+    assert outcome.code == 0
+    assert [path.name for path in tmp_path.iterdir()] == [f"handout.{language}.html"]
+    page = (tmp_path / f"handout.{language}.html").read_text(encoding="utf-8")
+    assert page == paper.handout(language)
+
+
+def test_a_page_shows_what_was_proved_when_it_was_written(call: Any, tmp_path: Path) -> None:
+    assert call("3", "--lang", "en", "--out", "a.html").code == 0
+    page = (tmp_path / "a.html").read_text(encoding="utf-8")
+    assert "4 of 4 formulas are proved with symbols and in numbers (" in page
+    assert page.count('<details class="proof">') == 2
+    assert "derive --check 2:x</code> does that." in page
+    assert "spoilt on purpose" not in page
+
+
+def test_a_check_writes_its_verdicts_into_the_page(call: Any, tmp_path: Path) -> None:
+    outcome = call("3", "--check", "--lang", "en", "--format", "html")
+    assert outcome.code == 0
+    assert "4 of 4 formulas proved both ways." in outcome.out
+    assert outcome.out.endswith("Written: derivation-3.en.html\n")
+    page = (tmp_path / "derivation-3.en.html").read_text(encoding="utf-8")
+    for row in paper.check(parallel=False, labels=["2:x", "2:y", "2:z", "3"]):
+        said = f"Of {row.mutants} forms spoilt on purpose {row.killed} were rejected"
+        assert said in page
+    assert "Not spoilt" not in page
+
+
+def test_a_page_does_not_call_proved_what_fails(
+    call: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def wrong(label: str) -> paper.Evidence:
+        (residual,) = found(label).residuals[:1]
+        broken = replace(residual, latex="l", is_zero=False)
+        return replace(found(label), residuals=(broken,)) if label == "3" else found(label)
+
+    found = paper.evidence
+    monkeypatch.setattr(paper, "evidence", wrong, raising=False)
+    assert call("3", "--lang", "en", "--out", "a.html").code == 0
+    page = (tmp_path / "a.html").read_text(encoding="utf-8")
+    assert "3 of 4 formulas are proved" in page
+    assert page.count("✗ NOT PROVED") == 1
+    assert "It does not vanish." in page
+
+
 def test_check_of_what_leads_to_one_equation(call: Any) -> None:
     outcome = call("3", "--check", "--lang", "en")
     assert outcome.code == 0
@@ -243,7 +305,9 @@ def test_a_document_on_standard_output_is_utf_8(tmp_path: Path) -> None:
         cwd=tmp_path, env={**os.environ, "PYTHONIOENCODING": "ascii"}, capture_output=True,
         check=True,
     )  # fmt: skip
-    assert done.stdout.decode("utf-8") == paper.write("de", "html", "3")
+    page = done.stdout.decode("utf-8")
+    assert page.startswith("<!DOCTYPE html>")
+    assert "Prüfen" in page or "Geprüft" in page or "geprüft" in page
     assert list(tmp_path.iterdir()) == []
 
 

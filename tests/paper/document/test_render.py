@@ -21,7 +21,7 @@ from kugelpendel.paper.typeset.tex import Marked, MathList, UnknownTeX, read
 
 LANGUAGES = ("de", "en")
 FORMS = ("html", "md", "latex", "text")
-VOID = {"meta", "link", "br", "wbr"}
+VOID = {"meta", "link", "br", "wbr", "input"}
 
 
 @cache

@@ -41,9 +41,17 @@ def _arguments(parser: argparse.ArgumentParser) -> None:
         help="file to write, - for standard output (default: the terminal; "
         "derivation.LANG.html for html)",
     )
+    parser.add_argument(
+        "--handout",
+        action="store_true",
+        help="write a page of at most six sheets of A4: numbered equations, pictures, numbers",
+    )
     parser.add_argument("--misprints", action="store_true", help="list the misprints of the paper")
     parser.add_argument(
-        "--check", action="store_true", help="run all proofs; the exit code is 1 if one fails"
+        "--check",
+        action="store_true",
+        help="run all proofs; the exit code is 1 if one fails; with --format html also write the "
+        "page with what was found",
     )
     parser.add_argument(
         "--json", action="store_true", help="print the list of --misprints or --check as JSON"
@@ -52,21 +60,17 @@ def _arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _derive(options: argparse.Namespace) -> int:
-    from kugelpendel.cli.derive.command import derive, list_misprints, refuse_mixture
+    from kugelpendel.cli.derive.command import derive, handout, list_misprints
+    from kugelpendel.cli.derive.mixtures import refuse_mixture
 
-    refuse_mixture(
-        options.check,
-        options.misprints,
-        options.json,
-        options.equation,
-        options.format,
-        options.out,
-    )
+    refuse_mixture(options)
     if options.check:
         from kugelpendel.cli.derive.check import check
 
-        return check(options.equation, options.lang, options.json)
-    if options.misprints:
+        return check(options.equation, options.lang, options.json, options.format, options.out)
+    if options.handout:
+        handout(options.lang, options.out)
+    elif options.misprints:
         list_misprints(options.lang, options.json)
     else:
         derive(options.equation, options.lang, options.format, options.out)

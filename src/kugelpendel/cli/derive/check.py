@@ -12,26 +12,37 @@ from rich.table import Table
 
 from kugelpendel import paper
 from kugelpendel.cli.derive import as_json
-from kugelpendel.cli.derive.command import known_label, text_width
+from kugelpendel.cli.derive.command import known_label, text_width, write_page
 from kugelpendel.cli.terminal.language import known_language
 from kugelpendel.cli.terminal.progress import Progress
 from kugelpendel.cli.terminal.streams import write_json
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from pathlib import Path
 
 _FAILED = 1
 
 
-def check(equation: str | None, language: str | None, is_json: bool) -> int:
+def check(
+    equation: str | None,
+    language: str | None,
+    is_json: bool,
+    document_format: str | None = None,
+    out: Path | None = None,
+) -> int:
     """Prove everything, or what leads to one equation, and print a table or JSON of it.
+
+    Where a format or a file is given, the page is written as well, with what was found in it.
 
     Returns
     -------
     The exit code, which is 1 if anything fails.
     """
-    words = paper.words(known_language(language))
+    chosen = known_language(language)
+    words = paper.words(chosen)
     labels = list(paper.subjects())
+    target = ""
     if equation is not None:
         target = known_label(equation)
         labels = [*paper.rests_on(target), *(one.label for one in paper.parts(target))]
@@ -45,6 +56,8 @@ def check(equation: str | None, language: str | None, is_json: bool) -> int:
         write_json(as_json.proofs(rows))
     else:
         print("\n".join(table(rows, words, text_width())))
+    if document_format is not None or out is not None:
+        write_page(target, chosen, out, rows)
     return 0 if rows and all(row.holds for row in rows) else _FAILED
 
 

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import shutil
 import sys
+from datetime import date
+from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kugelpendel import InvalidInput, paper
 from kugelpendel.cli.derive import as_json
-from kugelpendel.cli.output import write_file
+from kugelpendel.cli.output import one_file
 from kugelpendel.cli.terminal.language import known_language
+from kugelpendel.cli.terminal.progress import Progress
 from kugelpendel.cli.terminal.streams import write_bytes, write_json
 
 if TYPE_CHECKING:
-    pass
+    from collections.abc import Callable, Mapping, Sequence
 
 FORMATS = {"html": ".html", "md": ".md", "latex": ".tex", "text": ".txt"}
 _STDOUT = Path("-")
@@ -46,45 +49,77 @@ def derive(
     target = known_label(equation) if equation is not None else ""
     chosen = known_language(language)
     kind = _known_format(document_format, out)
-    if out is None and kind == "html":
-        name = f"derivation-{target.replace(':', '-')}" if target else "derivation"
-        out = Path(f"{name}.{chosen}.html")
+    if kind == "html":
+        write_page(target, chosen, out)
+        return
     is_coloured = out is None and sys.stdout.isatty()
     text = paper.write(chosen, kind, target, text_width(), is_coloured)
     if out is None:
         sys.stdout.write(text)
-    elif out == _STDOUT:
-        write_bytes(text.encode())
     else:
-        write_file(out, text)
-        print(_WRITTEN[chosen].format(out))
+        _put(lambda _: text, chosen, out)
 
 
-def refuse_mixture(
-    is_check: bool,
-    is_list: bool,
-    is_json: bool,
-    equation: str | None,
-    document_format: str | None,
-    out: Path | None,
+def handout(language: str | None, out: Path | None) -> None:
+    """Write the handout, to ``handout.LANGUAGE.html`` unless a file is given.
+
+    Raises
+    ------
+    InvalidInput
+        A language that is not known, or a file that cannot be written.
+    """
+    chosen = known_language(language)
+    _put(paper.handout, chosen, out or Path(f"handout.{chosen}.html"))
+
+
+def write_page(
+    target: str, language: str, out: Path | None, rows: Sequence[paper.Row] | None = None
 ) -> None:
-    """Refuse options that say nothing together."""
-    if is_check and is_list:
-        raise InvalidInput("--check and --misprints are two commands; give one of them.")
-    if is_json and not (is_check or is_list):
-        raise InvalidInput(
-            "--json prints what --check or --misprints finds; add one of them, or choose the form "
-            "of the derivation by --format."
-        )
-    option = "--check" if is_check else "--misprints"
-    others: dict[str, object] = {"--format": document_format, "--out": out}
-    if is_list:
-        others["the equation"] = equation
-    given = [name for name, value in others.items() if value is not None]
-    if (is_check or is_list) and given:
-        raise InvalidInput(
-            f"{option} prints one list to the terminal; leave out {' and '.join(given)}."
-        )
+    """Prove what a page shows, and write the page.
+
+    Parameters
+    ----------
+    target
+        The label that the page leads to, "" for the whole derivation.
+    language
+        "de" or "en".
+    out
+        The file; None writes to ``derivation.LANGUAGE.html``.
+    rows
+        What a check found for each formula; None where none has been made.
+    """
+    name = f"derivation-{target.replace(':', '-')}" if target else "derivation"
+
+    def written(chosen: str) -> str:
+        proofs = _proofs(target, chosen, rows or ())
+        return paper.write(chosen, "html", target, proofs=proofs)
+
+    _put(written, language, out or Path(f"{name}.{language}.html"))
+
+
+def _proofs(target: str, language: str, rows: Sequence[paper.Row]) -> paper.Proofs:
+    """Prove every formula that a page shows, under a bar that tells how long it takes."""
+    words = paper.words(language)
+    labels = [one.label for one in paper.FORMULAS]
+    if target:
+        labels = [*paper.rests_on(target), *(one.label for one in paper.parts(target))]
+    found: dict[str, paper.Evidence] = {}
+    with Progress(words.ui("check_proving"), len(labels)) as progress:
+        for label in labels:
+            found[label] = paper.evidence(label)
+            progress.advance(1)
+    when = f"{date.today().isoformat()}, kugelpendel {version('kugelpendel')}"
+    return paper.Proofs(found, {row.label: row for row in rows if row.label in found}, when)
+
+
+def _put(written: Callable[[str], str], language: str, out: Path) -> None:
+    """Write a page, once it is certain that the file can be written, and say where it is."""
+    if out == _STDOUT:
+        write_bytes(written(language).encode())
+        return
+    with one_file(out) as temporary:
+        temporary.write_text(written(language), encoding="utf-8", newline="\n")
+    print(_WRITTEN[language].format(out))
 
 
 def list_misprints(language: str | None, is_json: bool) -> None:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from kugelpendel.paper.algebra.sympy_names import Expr
     from kugelpendel.paper.proofs.worlds import Number
 
-_DIGITS = 40
+_DIGITS = 25
 _STARS = 86164.0905
 """Seconds in which the Earth turns once against the stars."""
 

@@ -16,6 +16,7 @@ from kugelpendel.paper.derivation.model import PAPER
 from kugelpendel.paper.document.comparison import comparison
 from kugelpendel.paper.document.dialect import BREAK
 from kugelpendel.paper.document.outline import counts
+from kugelpendel.paper.document.proof import told
 from kugelpendel.paper.document.prose import spans
 from kugelpendel.paper.typeset import latex
 
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 
     from kugelpendel.paper.derivation.model import Condition, Misprint, Step
     from kugelpendel.paper.document.outline import Chapter, Display, Document, Line
+    from kugelpendel.paper.document.proof import Proofs
 
 _ROOM = 70
 """Signs in a line of a formula, where the Markdown itself is the document."""
@@ -64,22 +66,31 @@ def anchor(label: str) -> str:
 class Writer:
     """Writes a document, or the parts of it that a frame is built around.
 
-    `room` is how many signs a line of a formula may have; without it no formula is broken.
+    `room` is how many signs a line of a formula may have; without it no formula is broken. With
+    `proofs` each display unfolds to what was checked.
     """
 
-    def __init__(self, document: Document, room: float = math.inf) -> None:
+    def __init__(
+        self, document: Document, room: float = math.inf, proofs: Proofs | None = None
+    ) -> None:
         self._document = document
+        self._proofs = proofs
         self._words = document.words
         self._ui = document.words.ui
         self._room = room
 
     def head(self) -> str:
-        """Write what stands below the title: subtitle, counts, and the legend of the sign †."""
+        """Write what stands below the title: subtitle, counts, the legend of †, what is proved."""
         document, ui = self._document, self._ui
         under = document.lead() if document.target else self._words.subtitle()
         lines = [_plain(under), _plain(ui("counts", *counts(document)))]
         if any(condition.silent for condition, _ in document.conditions):
             lines.append(f'<div id="silent">\n\n{self.say(ui("silent_legend"))}\n\n</div>')
+        proofs = self._proofs
+        if proofs is not None:
+            text = ui("proof_all", proofs.proved, len(proofs.evidence), proofs.when)
+            spoilt = ui("proof_spoilt" if proofs.rows else "proof_unspoilt")
+            lines.append(f'<div id="proofs">\n\n{self.told(f"{text} {spoilt}")}\n\n</div>')
         return "\n\n".join(lines)
 
     def parts(self) -> list[Part]:
@@ -165,12 +176,24 @@ class Writer:
             lines = [lines[0], self._fold(display.lines[1:-1], lines[1:-1]), lines[-1]]
         style = "numbered" if display.is_numbered else "between"
         say = f"{tag} {self.say(display.say)}".rstrip()
-        number = self._words.number(display.label)
-        if number:
-            text = f"**{self._ui('in_the_example')}:** {self.say(number)}"
-            lines.append(f'<div class="number">\n\n{text}\n\n</div>')
-        body = "\n\n".join([say, *lines, self._steps(display)])
+        if number := self.number(display):
+            lines.append(number)
+        body = "\n\n".join([say, *lines, self._steps(display), *self._proved(display)])
         return f'<div class="display {style}" id="{anchor(display.label)}">\n\n{body}\n\n</div>'
+
+    def number(self, display: Display) -> str:
+        """Write what a display means for the pendulum of the example, or nothing."""
+        said = self._words.number(display.label)
+        if not said:
+            return ""
+        text = f"**{self._ui('in_the_example')}:** {self.say(said)}"
+        return f'<div class="number">\n\n{text}\n\n</div>'
+
+    def rests(self, labels: Sequence[str]) -> str:
+        """Write which displays something rests on, or nothing."""
+        if not labels:
+            return ""
+        return f'<div class="rests">\n\n{self._ui("rests")} {self._links(labels)}\n\n</div>'
 
     def _fold(self, lines: Sequence[Line], written: Iterable[str]) -> str:
         ui = self._ui
@@ -183,7 +206,7 @@ class Writer:
         formula = line.formula
         identity = f' id="{anchor(formula.label)}"' if formula.label != formula.display else ""
         parts = [self.say(line.say)] if line.say else []
-        parts.append(self._block(formula.right))
+        parts.append(self.block(formula.right))
         if line.misprints or formula.is_misprinted:
             parts.append(self._wrong(line))
         body = "\n\n".join(parts)
@@ -195,7 +218,7 @@ class Writer:
         kinds = dict.fromkeys(ui(f"misprint_{one.kind}") for one in line.misprints)
         parts = [f"**{ui('in_print')}: {', '.join(kinds)}**"]
         if is_misprinted:
-            parts.extend([f"{ui('printed')}:", self._block(line.formula.printed)])
+            parts.extend([f"{ui('printed')}:", self.block(line.formula.printed)])
         parts.extend(self._note(one) for one in line.misprints)
         is_slight = not is_misprinted and all(one.kind == "word" for one in line.misprints)
         style = "misprint slight" if is_slight else "misprint"
@@ -242,6 +265,28 @@ class Writer:
         used = self._document.used_in(display)
         parts.extend([f"{ui('next')} {self._links(used)}"] if used else [])
         return _details("step", escape(", ".join(kinds)) + badge, parts)
+
+    def _proved(self, display: Display) -> list[str]:
+        """Write whether the display is proved, and on demand what was compared."""
+        ui, proofs = self._ui, self._proofs
+        if proofs is None:
+            return []
+        labels = [line.formula.label for line in display.lines]
+        parts: list[str] = []
+        for label in labels:
+            name = f"**{self._document.name(label)}** " if len(labels) > 1 else ""
+            first, *others = (self.told(one) for one in told(label, proofs, self._words))
+            parts.extend([f"{name}{first}", *others])
+        is_proved = all(proofs.holds(label) for label in labels)
+        return [_details("proof", ui("proof_holds" if is_proved else "proof_fails"), parts)]
+
+    def told(self, text: str) -> str:
+        """Write a sentence about a proof, in which only code is more than words."""
+        first, *others = text.split("`")
+        written = [_plain(first)]
+        for number, part in enumerate(others):
+            written.append(f"`{part}`" if number % 2 == 0 else _plain(part))
+        return "".join(written)
 
     def _step(self, display: Display, lines: Sequence[Line], step: Step) -> str:
         ui, words = self._ui, self._words
@@ -293,7 +338,8 @@ class Writer:
             for label in labels
         )
 
-    def _block(self, source: str) -> str:
+    def block(self, source: str) -> str:
+        """Write a formula on lines of its own."""
         return f"```math\n{latex.display(source, self._room)}\n```"
 
 

@@ -72,8 +72,8 @@ def draw(boxes: Sequence[Box], premises: Mapping[str, Sequence[str]], title: str
     drawn = "".join(_box(box, *place[box.label]) for box in boxes)
     return (
         f'<svg class="graph" viewBox="0 0 {width:.0f} {height:.0f}" width="{width:.0f}"'
-        f' height="{height:.0f}" role="img" aria-label="{escape(title)}">'
-        f"<title>{escape(title)}</title>{lines}{drawn}</svg>"
+        f' height="{height:.0f}" role="group" aria-label="{escape(title)}">'
+        f"{lines}{drawn}</svg>"
     )
 
 

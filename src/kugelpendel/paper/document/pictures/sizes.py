@@ -117,12 +117,7 @@ def sizes_drawn(
     language
         German has a decimal comma.
     """
-    rows = [("pull", words["pull"], 1.0)]
-    for one in sizes(swing):
-        name = f"{words['neglected']} ({one.label.partition(':')[0]})"
-        rows.append(
-            ("kept", words["turning"], one.ratio) if not one.label else ("drop", name, one.ratio)
-        )
+    rows = _rows(swing, words)
     lowest = math.floor(math.log10(min(ratio for _, _, ratio in rows)))
     sheet = Drawing("sizes", 560, _TOP + _DOWN * len(rows) + 12)
 
@@ -139,6 +134,24 @@ def sizes_drawn(
         sheet.bar((_LEFT, y + 4), max(along(ratio), 1.5), 18, style)
         sheet.words((_LEFT + along(ratio) + 6, y + 17), _share(ratio, language))
     return sheet.written(title, description)
+
+
+def sizes_told(swing: Swing, words: Mapping[str, str], language: str) -> str:
+    """Say in a sentence what the bars show, for those who do not see them."""
+    told = (f"{name} {_share(ratio, language)}" for _, name, ratio in _rows(swing, words))
+    return f"{', '.join(told)}."
+
+
+def _rows(swing: Swing, words: Mapping[str, str]) -> list[tuple[str, str, float]]:
+    """Give style, name and share of each bar."""
+    rows = [("pull", words["pull"], 1.0)]
+    for one in sizes(swing):
+        if one.label:
+            name = f"{words['neglected']} ({one.label.partition(':')[0]})"
+            rows.append(("drop", name, one.ratio))
+        else:
+            rows.append(("kept", words["turning"], one.ratio))
+    return rows
 
 
 def _share(ratio: float, language: str) -> str:
