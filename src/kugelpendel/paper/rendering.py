@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from kugelpendel.paper.checks.counterexample import counterexample
 from kugelpendel.paper.derivation.graph import FORMULAS, parts, rests_on
 from kugelpendel.paper.derivation.misprints import MISPRINTS
+from kugelpendel.paper.derivation.model import PAPER
 from kugelpendel.paper.document import handout as handouts
 from kugelpendel.paper.document import html, latex, markdown, terminal
 from kugelpendel.paper.document.markdown import Writer
@@ -18,9 +19,6 @@ from kugelpendel.paper.document.outline import Derivation, compose
 if TYPE_CHECKING:
     from kugelpendel.paper.document.outline import Document
     from kugelpendel.paper.document.proof import Proofs
-
-_PAPER = 4
-"""How many sections the paper has."""
 
 
 def composed(language: str, target: str = "") -> Document:
@@ -78,7 +76,7 @@ def handout(language: str) -> str:
 
     It has pictures and numbers, and shows every formula as it should be.
     """
-    paper = [one for one in FORMULAS if one.section <= _PAPER]
+    paper = [one for one in FORMULAS if one.section <= PAPER]
     numbered = {one.display for one in paper if one.number}
     shown = [one.label for one in paper if one.display in numbered]
     right = tuple(replace(one, printed=one.right) for one in FORMULAS)

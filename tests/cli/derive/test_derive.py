@@ -205,8 +205,8 @@ def test_a_page_shows_what_was_proved_when_it_was_written(call: Any, tmp_path: P
     page = (tmp_path / "a.html").read_text(encoding="utf-8")
     assert "4 of 4 formulas are proved with symbols and in numbers (" in page
     assert page.count('<details class="proof">') == 2
-    assert "derive --check 2:x</code> does that." in page
-    assert "spoilt on purpose" not in page
+    assert "are tried by <code>kugelpendel derive --check</code>" in page
+    assert "Spoilt: of" not in page
 
 
 def test_a_check_writes_its_verdicts_into_the_page(call: Any, tmp_path: Path) -> None:
@@ -216,9 +216,11 @@ def test_a_check_writes_its_verdicts_into_the_page(call: Any, tmp_path: Path) ->
     assert outcome.out.endswith("Written: derivation-3.en.html\n")
     page = (tmp_path / "derivation-3.en.html").read_text(encoding="utf-8")
     for row in paper.check(parallel=False, labels=["2:x", "2:y", "2:z", "3"]):
-        said = f"Of {row.mutants} forms spoilt on purpose {row.killed} were rejected"
+        said = (
+            f"Spoilt: of {row.mutants} forms {row.killed} were rejected, {row.equal} say the same"
+        )
         assert said in page
-    assert "Not spoilt" not in page
+    assert "Their spoilt forms were tried as well." in page
 
 
 def test_a_page_does_not_call_proved_what_fails(

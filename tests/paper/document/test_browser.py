@@ -1,7 +1,10 @@
-"""The page in a real browser: both languages, wide and narrow."""
+"""The pages in a real browser: both languages, wide and narrow, printed, without a script."""
 
+import re
 import shutil
+from base64 import b64decode
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -9,10 +12,12 @@ from selenium import webdriver
 from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
 
 from kugelpendel import paper
+from kugelpendel.paper.typeset.tex import read
 
-SIZES = {"wide": (1200, 900), "narrow": (400, 800)}
+SIZES = {"wide": (1440, 900), "narrow": (360, 800)}
 FLAGS = (
     "--headless",
     "--no-sandbox",
@@ -45,8 +50,61 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[webdriver.Chro
 @pytest.fixture(scope="module", params=["de", "en"])
 def page(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("page") / f"derivation.{request.param}.html"
-    path.write_text(paper.write(request.param, "html"), encoding="utf-8")
+    path.write_text(_page(request.param), encoding="utf-8")
     return path
+
+
+@cache
+def _page(language: str) -> str:
+    """The whole page, with proofs as long as they get."""
+    found = {one.label: paper.evidence(one.label) for one in paper.FORMULAS}
+    made = (("sign", 100, 100),)
+    rows = {
+        one.label: paper.Row(
+            one.label, one.step.kind, True, True, 1000, 100, (), 0.0, (), sabotages
+        )
+        for one in paper.FORMULAS
+    }
+    proofs = paper.Proofs(found, rows, "2026-11-26, kugelpendel 0.1.0")
+    return paper.write(language, "html", proofs=proofs)
+
+
+@pytest.fixture(scope="module", params=["de", "en"])
+def handout(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("handout") / f"handout.{request.param}.html"
+    path.write_text(paper.handout(request.param), encoding="utf-8")
+    return path
+
+
+@pytest.fixture(scope="module")
+def axe(repository: Path) -> str:
+    script = repository / ".venv/axe/node_modules/axe-core/axe.min.js"
+    if not script.is_file():
+        pytest.skip("axe-core is not installed; make test installs it")
+    return script.read_text(encoding="utf-8")
+
+
+def serious(browser: webdriver.Chrome, axe: str) -> list[str]:
+    """What axe-core finds serious or critical, with the first element of each kind."""
+    browser.execute_script(axe)
+    found = browser.execute_async_script(
+        "const done = arguments[arguments.length - 1];"
+        "axe.run(document, {resultTypes: ['violations']}).then(result => done(result.violations))"
+    )
+    return [
+        f"{one['id']}: {one['help']}: {one['nodes'][0]['html'][:200]}"
+        for one in found
+        if one["impact"] in ("serious", "critical")
+    ]
+
+
+def sheets(browser: webdriver.Chrome, size: str) -> int:
+    """How many sheets the page is in print."""
+    width, height = {"A4": (8.27, 11.69), "Letter": (8.5, 11)}[size]
+    options = {"paperWidth": width, "paperHeight": height, "preferCSSPageSize": size == "A4"}
+    printed = browser.execute_cdp_cmd("Page.printToPDF", options)
+    # Chromium writes its page objects uncompressed
+    return len(re.findall(rb"/Type /Page\b", b64decode(printed["data"])))
 
 
 @pytest.fixture(params=SIZES)
@@ -84,12 +142,12 @@ def test_page(opened: webdriver.Chrome) -> None:
         "const right = document.querySelector('main').getBoundingClientRect().right + 1;"
         "return [...document.querySelectorAll('main *')].filter(element =>"
         "  element.getBoundingClientRect().right > right &&"
-        "  !element.closest('.formula, .picture, .table')"
+        "  !element.closest('.formula, .picture, .table, .misprint')"
         ").map(element => element.outerHTML.slice(0, 120))"
     )
     assert leaking == []
     count = "return document.querySelectorAll('main details[open]').length"
-    assert opened.execute_script(count) > 60
+    assert opened.execute_script(count) > 120
     opened.find_element(By.CSS_SELECTOR, 'button[data-open="no"]').click()
     assert opened.execute_script(count) == 0
     first = opened.find_element(By.CSS_SELECTOR, ".display details summary")
@@ -154,3 +212,133 @@ def test_few_formulas_need_to_be_scrolled(opened: webdriver.Chrome) -> None:
     assert len(over) <= (5 if is_narrow else 0)
     # the widest is the integral C9, whose root cannot be broken
     assert all(hidden < 70 for hidden in over)
+
+
+def test_a_page_is_one_small_file(page: Path) -> None:
+    assert page.stat().st_size <= 800_000
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_nothing_serious_for_those_who_see_or_hear_otherwise(
+    opened: webdriver.Chrome, axe: str, scheme: str
+) -> None:
+    features = [{"name": "prefers-color-scheme", "value": scheme}]
+    opened.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
+    try:
+        opened.find_element(By.CSS_SELECTOR, 'button[data-open="yes"]').click()
+        assert serious(opened, axe) == []
+    finally:
+        opened.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+
+
+def test_a_handout_is_six_sheets_at_most_and_says_no_misprint(
+    browser: webdriver.Chrome, handout: Path, axe: str
+) -> None:
+    browser.get(handout.as_uri())
+    assert 3 <= sheets(browser, "A4") <= 6
+    assert sheets(browser, "Letter") <= 7
+    assert serious(browser, axe) == []
+    assert len(browser.find_elements(By.CSS_SELECTOR, "svg.drawing")) == 4
+    for style in (".misprint", ".differs", ".printed", "s", "details"):
+        assert browser.find_elements(By.CSS_SELECTOR, style) == []
+    shown = {one.get_attribute("id") for one in browser.find_elements(By.CSS_SELECTOR, ".display")}
+    numbered = {one.display for one in paper.FORMULAS if one.number and one.section <= 4}
+    assert shown == {f"eq-{label}" for label in numbered}
+
+
+def test_the_short_version_prints_on_fewer_sheets(browser: webdriver.Chrome, page: Path) -> None:
+    browser.get(page.as_uri())
+    whole = sheets(browser, "A4")
+    browser.execute_script("document.getElementById('length-short').click()")
+    short = sheets(browser, "A4")
+    browser.execute_script("document.getElementById('show-misprints').click()")
+    bare = sheets(browser, "A4")
+    assert bare < short < whole / 1.5
+
+
+def test_switches_work_without_a_script(browser: webdriver.Chrome, page: Path) -> None:
+    browser.execute_cdp_cmd("Emulation.setScriptExecutionDisabled", {"value": True})
+    try:
+        browser.get(page.as_uri())
+
+        def is_shown(style: str) -> bool:
+            return browser.find_element(By.CSS_SELECTOR, style).is_displayed()
+
+        assert is_shown("#eq-10\\.1")
+        assert is_shown("#eq-12 .misprint")
+        assert not is_shown("nav form")
+        assert not is_shown(".tools button")
+        browser.find_element(By.ID, "length-short").click()
+        assert is_shown("#eq-12")
+        assert not is_shown("#eq-10\\.1")
+        browser.find_element(By.CSS_SELECTOR, '.skipped a[href="#eq-10.1"]').click()
+        assert is_shown("#eq-10\\.1")
+        assert is_shown("#eq-10\\.2")
+        browser.find_element(By.ID, "show-misprints").click()
+        assert not is_shown("#eq-12 .misprint")
+        assert not is_shown("#misprints")
+    finally:
+        browser.execute_cdp_cmd("Emulation.setScriptExecutionDisabled", {"value": False})
+
+
+def test_an_equation_is_found_by_number_and_by_word(opened: webdriver.Chrome) -> None:
+    field = opened.find_element(By.ID, "find")
+
+    def hits(sought: str) -> list[str]:
+        field.clear()
+        field.send_keys(sought)
+        return opened.execute_script(
+            "return [...document.querySelectorAll('#found b')].map(one => one.textContent.trim())"
+        )
+
+    assert hits("13a")[0] == "(13a)"
+    assert hits("(10.7)")[0] == "(10.7)"
+    assert "(25)" in hits(r"\Omega = \frac{3}{8}")
+    assert hits("Newton")[0] == "(1)"
+    assert hits("xyzzy") == []
+    assert opened.find_element(By.ID, "found").get_attribute("textContent") != ""
+    hits("25")
+    field.send_keys(Keys.ENTER)
+    assert opened.execute_script("return location.hash") == "#eq-25"
+
+
+def test_each_equation_leads_to_its_neighbours_and_to_itself(opened: webdriver.Chrome) -> None:
+    links = opened.execute_script(
+        "return [...document.querySelectorAll('#eq-10\\\\.3 :is(.tag, .around a)')]"
+        ".map(one => one.getAttribute('href'))"
+    )
+    assert links == ["#eq-10.3", "#eq-10", "#eq-12"]
+
+
+def test_latex_is_copied(opened: webdriver.Chrome) -> None:
+    copied = opened.execute_async_script(
+        "const done = arguments[0];"
+        "Object.defineProperty(navigator, 'clipboard', {configurable: true, value:"
+        "  {writeText: async text => done(text)}});"
+        "document.querySelector('#eq-25 button.copy').click()"
+    )
+    assert read(copied) == read(paper.formula("25").right)
+    names = opened.execute_script(
+        "return [...document.querySelectorAll('button.copy')].map(q => q.ariaLabel)"
+    )
+    assert len(set(names)) == len(names) == len(paper.FORMULAS)
+
+
+def test_links_read_as_numbers_on_paper(opened: webdriver.Chrome) -> None:
+    """A link that is printed says by itself where it leads."""
+    texts = opened.execute_script(
+        "return [...document.querySelectorAll('main a[href^=\"#eq-\"]')]"
+        ".filter(one => !one.closest('.around, svg')).map(one => one.textContent)"
+    )
+    assert all(re.match(r"\([A-D]?\d", text) for text in texts)
+    assert len(texts) > 300
+
+
+def test_pictures_are_images_and_graphs_are_links(opened: webdriver.Chrome) -> None:
+    roles = opened.execute_script(
+        "return [...document.querySelectorAll('svg')].map(one =>"
+        "  [one.getAttribute('role'), one.querySelectorAll('a').length > 0])"
+    )
+    assert roles.count(["img", False]) == 4
+    assert roles.count(["group", True]) == 2
+    assert len(roles) == 6

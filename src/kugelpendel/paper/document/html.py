@@ -213,7 +213,7 @@ def _pictures(document: Document) -> str:
     few = [one for one in document.displays if one.is_numbered or one.label == target]
     title = ui("picture")
     overview = draw(_boxes(few), contracted([one.label for one in few], rests), title)
-    whole = draw(_boxes(document.displays), rests, ui("picture_all"))
+    whole = draw(_boxes(document.displays, is_told=False), rests, ui("picture_all"))
     return (
         f'<p>{ui("picture_numbered")}</p><div class="picture" tabindex="0">{overview}</div>'
         f'<details class="all"><summary>{ui("picture_all")}</summary>'
@@ -221,10 +221,10 @@ def _pictures(document: Document) -> str:
     )
 
 
-def _boxes(displays: Iterable[Display]) -> list[Box]:
+def _boxes(displays: Iterable[Display], is_told: bool = True) -> list[Box]:
     boxes: list[Box] = []
     for display in displays:
         style = "numbered" if display.is_numbered else "between"
         style += " wrong" if display.has_wrong_formula else ""
-        boxes.append(Box(display.label, style, sentence(display.say)))
+        boxes.append(Box(display.label, style, sentence(display.say) if is_told else ""))
     return boxes

@@ -15,10 +15,10 @@ if TYPE_CHECKING:
     from kugelpendel.paper.derivation.model import Row
     from kugelpendel.paper.document.wording import Words
 
-_SHOWN = 6
+_SHOWN = 5
 """Digits of a random number that are shown of its fifty."""
 
-_LONGEST = 240
+_LONGEST = 100
 """Signs of a residual that are shown; of a longer one the beginning."""
 
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -75,13 +75,11 @@ def told(label: str, proofs: Proofs, words: Words) -> list[str]:
         text += f" {ui('proof_order', found.kept)}"
     parts.append(text)
     row = proofs.rows.get(label)
-    if row is None:
-        parts.append(ui("proof_command", label))
-    else:
-        parts.append(ui("proof_mutants", row.mutants, row.killed, row.equal, len(row.survivors)))
+    if row is not None:
         made = sum(tried for _, tried, _ in row.sabotages)
         seen = sum(noticed for _, _, noticed in row.sabotages)
-        parts.append(ui("proof_sabotages", made, seen))
+        mutants = (row.mutants, row.killed, row.equal, len(row.survivors))
+        parts.append(ui("proof_mutants", *mutants, made, seen))
     return parts
 
 

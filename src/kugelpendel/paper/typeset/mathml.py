@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from kugelpendel.paper.typeset.breaks import pieces, width
 from kugelpendel.paper.typeset.tex import (
-    RELATIONS,
     Accent,
     Atom,
     Bracket,
@@ -36,13 +35,14 @@ def inline(source: str) -> str:
     """Write a formula within a sentence, in pieces as well, since a line may end in it."""
     row = read(source)
     if width(row) < _SHORT:
-        return _math(row.items, display=False)
-    return _pieces(row, display=False)
+        return _math(row.items)
+    return _pieces(row)
 
 
 def display(source: str) -> str:
     """Write a formula on lines of its own: `math` elements, cut before + − = outside brackets.
 
+    The page's style sets them as displays, with ``math-style: normal``.
     Brackets that hold more than a browser fits on a narrow page are opened: their content is broken
     as well, and they are drawn as high as they would have been.
     """
@@ -51,20 +51,19 @@ def display(source: str) -> str:
 
 def written(row: MathList) -> str:
     """Write a formula that has been read, and perhaps marked, in the same way."""
-    return _pieces(row, display=True)
+    return _pieces(row)
 
 
-def _pieces(row: MathList, display: bool) -> str:
+def _pieces(row: MathList) -> str:
     if not row.items:
         return ""
     first, *others = pieces(row.items)
-    continued = (_math(piece, display, continues=True) for piece in others)
-    return "<wbr>".join([_math(first, display), *continued])
+    continued = (_math(piece, continues=True) for piece in others)
+    return "<wbr>".join([_math(first), *continued])
 
 
-def _math(items: Piece, display: bool, continues: bool = False) -> str:
-    style = ' displaystyle="true"' if display else ""
-    return f"<math{style}>{_row(items, continues)}</math>"
+def _math(items: Piece, continues: bool = False) -> str:
+    return f"<math>{_row(items, continues)}</math>"
 
 
 def _row(items: Piece, continues: bool = False) -> str:
@@ -144,8 +143,8 @@ def _node(node: Node) -> str:
         case Script():
             return _script(node)
         case Accent(base, mark):
-            size = ' mathsize="60%"' if mark == "\u20d7" else ""
-            accent = f'<mo stretchy="false"{size}>{_ACCENTS[mark]}</mo>'
+            style = ' stretchy="false" mathsize="60%"' if mark == "\u20d7" else ""
+            accent = f"<mo{style}>{_ACCENTS[mark]}</mo>"
             return f'<mover accent="true">{_group(base)}{accent}</mover>'
         case Fence(opening, closing, inner):
             left = f'<mo fence="true" form="prefix">{opening}</mo>' if opening else ""
@@ -176,8 +175,7 @@ def _atom(atom: Atom) -> str:
         case "text":
             return f"<mtext>{escape(atom.text)}</mtext>"
         case _:
-            form = ' form="infix"' if atom.text in RELATIONS else ""
-            return f"<mo{form}>{escape(atom.text)}</mo>"
+            return f"<mo>{escape(atom.text)}</mo>"
 
 
 def _bracket(bracket: Bracket) -> str:

@@ -32,7 +32,7 @@ class Box:
     style
         CSS classes, such as "numbered" or "misprint".
     hint
-        A sentence that is shown where the pointer rests.
+        A sentence that is shown where the pointer rests; "" shows none.
     """
 
     label: str
@@ -188,9 +188,10 @@ def _line(stops: Sequence[tuple[float, float]]) -> str:
 
 
 def _box(box: Box, x: float, y: float) -> str:
-    label, hint, style = escape(box.label), escape(box.hint), escape(box.style)
+    label, style = escape(box.label), escape(box.style)
+    hint = f"<title>{escape(box.hint)}</title>" if box.hint else ""
     return (
-        f'<a href="#eq-{label}" class="{style}"><title>{hint}</title>'
+        f'<a href="#eq-{label}" class="{style}">{hint}'
         f'<rect x="{x - _WIDTH / 2:.0f}" y="{y - _HEIGHT / 2:.0f}" width="{_WIDTH}"'
         f' height="{_HEIGHT}" rx="6"/><text x="{x:.0f}" y="{y + 4:.0f}">{label}</text></a>'
     )

@@ -15,7 +15,7 @@ _TURNED = math.radians(27)
 _SHOWN = 7
 """Swings of the path that are drawn."""
 
-_PHASES = 60
+_PHASES = 30
 """Points from one turning point to the next."""
 
 
