@@ -61,7 +61,7 @@ def _page(language: str) -> str:
     made = (("sign", 100, 100),)
     rows = {
         one.label: paper.Row(
-            one.label, one.step.kind, True, True, 1000, 100, (), 0.0, (), sabotages
+            one.label, one.step.kind, True, True, 1000, 100, (), 0.0, (), made
         )
         for one in paper.FORMULAS
     }
