@@ -41,6 +41,7 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[webdriver.Chro
         options.add_argument(flag)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     chrome = webdriver.Chrome(options=options, service=Service(driver))
+    chrome.set_script_timeout(120)
     try:
         yield chrome
     finally:
@@ -60,9 +61,7 @@ def _page(language: str) -> str:
     found = {one.label: paper.evidence(one.label) for one in paper.FORMULAS}
     made = (("sign", 100, 100),)
     rows = {
-        one.label: paper.Row(
-            one.label, one.step.kind, True, True, 1000, 100, (), 0.0, (), made
-        )
+        one.label: paper.Row(one.label, one.step.kind, True, True, 1000, 100, (), 0.0, (), made)
         for one in paper.FORMULAS
     }
     proofs = paper.Proofs(found, rows, "2026-11-26, kugelpendel 0.1.0")
@@ -84,12 +83,14 @@ def axe(repository: Path) -> str:
     return script.read_text(encoding="utf-8")
 
 
-def serious(browser: webdriver.Chrome, axe: str) -> list[str]:
+def serious(browser: webdriver.Chrome, axe: str, rules: str = "") -> list[str]:
     """What axe-core finds serious or critical, with the first element of each kind."""
     browser.execute_script(axe)
     found = browser.execute_async_script(
         "const done = arguments[arguments.length - 1];"
-        "axe.run(document, {resultTypes: ['violations']}).then(result => done(result.violations))"
+        # the inside of formulas is tens of thousands of elements about which axe has no rule
+        f"axe.run({{exclude: [['math']]}}, {{{rules}resultTypes: ['violations']}})"
+        ".then(result => done(result.violations))"
     )
     return [
         f"{one['id']}: {one['help']}: {one['nodes'][0]['html'][:200]}"
@@ -218,17 +219,17 @@ def test_a_page_is_one_small_file(page: Path) -> None:
     assert page.stat().st_size <= 800_000
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_nothing_serious_for_those_who_see_or_hear_otherwise(
-    opened: webdriver.Chrome, axe: str, scheme: str
+    browser: webdriver.Chrome, page: Path, axe: str
 ) -> None:
-    features = [{"name": "prefers-color-scheme", "value": scheme}]
-    opened.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
+    browser.get(page.as_uri())
+    assert serious(browser, axe) == []
+    dark = [{"name": "prefers-color-scheme", "value": "dark"}]
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": dark})
     try:
-        opened.find_element(By.CSS_SELECTOR, 'button[data-open="yes"]').click()
-        assert serious(opened, axe) == []
+        assert serious(browser, axe, "runOnly: ['color-contrast', 'link-in-text-block'], ") == []
     finally:
-        opened.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+        browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
 
 
 def test_a_handout_is_six_sheets_at_most_and_says_no_misprint(

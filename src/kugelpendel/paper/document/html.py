@@ -153,7 +153,8 @@ def _with_neighbours(read: Sequence[Token], document: Document) -> list[Token]:
         if not children or not has_class(children[0], "tag"):
             continue
         label = next(q for q in labels if f"#{anchor(q)}" == children[0].attrGet("href"))
-        children[0].attrSet("title", ui("permanent", f"({label})"))
+        if label in numbered:
+            children[0].attrSet("title", ui("permanent", f"({label})"))
         at = labels.index(label)
         before = next((q for q in reversed(labels[:at]) if q in numbered), "")
         after = next((q for q in labels[at + 1 :] if q in numbered), "")

@@ -181,7 +181,7 @@ def _atom(atom: Atom) -> str:
 def _bracket(bracket: Bracket) -> str:
     height = ' minsize="2.4em" maxsize="2.4em"' if bracket.is_high else ' stretchy="false"'
     form = "prefix" if bracket.sign in "([{" else "postfix"
-    return f'<mo fence="true" form="{form}" symmetric="true"{height}>{bracket.sign}</mo>'
+    return f'<mo fence="true" form="{form}"{height}>{bracket.sign}</mo>'
 
 
 def _script(node: Script) -> str:
