@@ -17,7 +17,7 @@ from kugelpendel.cli.terminal.progress import Progress
 from kugelpendel.cli.terminal.streams import write_bytes, write_json
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Sequence
 
 FORMATS = {"html": ".html", "md": ".md", "latex": ".tex", "text": ".txt"}
 _STDOUT = Path("-")
