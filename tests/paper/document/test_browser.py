@@ -210,7 +210,7 @@ def test_few_formulas_need_to_be_scrolled(opened: webdriver.Chrome) -> None:
         "  formula.scrollWidth - formula.clientWidth).filter(hidden => hidden > 0)"
     )
     is_narrow = opened.execute_script("return innerWidth < 500")
-    assert len(over) <= (5 if is_narrow else 0)
+    assert len(over) <= (12 if is_narrow else 0)  # of some two hundred, at 360 px
     # the widest is the integral C9, whose root cannot be broken
     assert all(hidden < 70 for hidden in over)
 
