@@ -13,7 +13,7 @@ from kugelpendel.paper.document.example import (
     PANTHEON,
     TO_BUILD,
     WIDE,
-    Swing,
+    Example,
     sky_rate,
     values,
 )
@@ -23,7 +23,7 @@ SWINGS = {
     "to build": TO_BUILD,
     "Panthéon": PANTHEON,
     "wide": WIDE,
-    "nearly round": Swing(1, 9, 0.9, 0.89),
+    "nearly round": Example(1, 9, 0.9, 0.89),
 }
 
 
@@ -59,7 +59,7 @@ def test_numbers_that_a_hand_can_check() -> None:
     assert hour == pytest.approx(15.041 * math.sin(math.radians(LATITUDE)), rel=1e-4)
     assert spelled["paris-sky"] == "11.3 °/h"
     alike = float(spelled["paris-alike"]) / 100
-    wide = Swing(PANTHEON.length, PANTHEON.gravity, PANTHEON.a, alike)
+    wide = Example(PANTHEON.length, PANTHEON.gravity, PANTHEON.a, alike)
     assert wide.turning == pytest.approx(sky_rate(), rel=0.01)
 
 

@@ -31,7 +31,7 @@ _DAY = 86400.0
 
 
 @dataclass(frozen=True)
-class Swing:
+class Example:
     """An ellipse of a pendulum: how fast it turns by the formulas, and how fast it does exactly.
 
     Attributes
@@ -120,12 +120,12 @@ class Swing:
         return float(expression.evalf(subs=values))
 
 
-TO_BUILD = Swing(2.0, 9.81, 0.20, 0.05)
-PANTHEON = Swing(67.0, 9.8094, 3.0, 0.01)
+TO_BUILD = Example(2.0, 9.81, 0.20, 0.05)
+PANTHEON = Example(67.0, 9.8094, 3.0, 0.01)
 LATITUDE = 48.846
 """Of the Panthéon, in degrees."""
 
-WIDE = Swing(2.0, 9.81, 1.0, 0.4)
+WIDE = Example(2.0, 9.81, 1.0, 0.4)
 
 
 def sky_rate() -> float:

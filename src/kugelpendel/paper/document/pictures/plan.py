@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from kugelpendel.paper.document.pictures.drawing import Drawing, arc
 
 if TYPE_CHECKING:
-    from kugelpendel.paper.document.example import Swing
+    from kugelpendel.paper.document.example import Example
     from kugelpendel.paper.document.pictures.drawing import Point
 
 _TURNED = math.radians(27)
@@ -52,7 +52,7 @@ def ellipse(title: str, description: str) -> str:
     return sheet.written(title, description)
 
 
-def path(swing: Swing, title: str, description: str, words: tuple[str, str]) -> str:
+def path(swing: Example, title: str, description: str, words: tuple[str, str]) -> str:
     """Draw the path of an exact motion, with its major axis at the beginning and at the end.
 
     Parameters
@@ -89,7 +89,7 @@ def path(swing: Swing, title: str, description: str, words: tuple[str, str]) -> 
     return sheet.written(title, description)
 
 
-def _way(swing: Swing) -> tuple[list[tuple[float, float]], float]:
+def _way(swing: Example) -> tuple[list[tuple[float, float]], float]:
     """Give distance and azimuth on the whole path, and the azimuth at its end.
 
     Simpson's rule from point to point: the error of the whole way is far below the line's width.

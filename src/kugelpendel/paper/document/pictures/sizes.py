@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from kugelpendel.errors import Language
-    from kugelpendel.paper.document.example import Swing
+    from kugelpendel.paper.document.example import Example
 
 _PHASES = 24
 """Points of a quarter swing among which the largest value is sought; the others repeat it."""
@@ -53,7 +53,7 @@ class Size:
 
 
 @cache
-def sizes(swing: Swing) -> tuple[Size, ...]:
+def sizes(swing: Example) -> tuple[Size, ...]:
     """Work out, for one swing, what (13a) loses on the way, and the term that turns the ellipse."""
     motion = _motion()
     turning = Size("", _largest(-2 * s.b * s.omega0 * s.Omega * _cosine(), swing, motion))
@@ -81,7 +81,7 @@ def _motion() -> Mapping[Expr, Expr]:
     return rules
 
 
-def _largest(term: Expr, swing: Swing, motion: Mapping[Expr, Expr]) -> float:
+def _largest(term: Expr, swing: Example, motion: Mapping[Expr, Expr]) -> float:
     frequency = swing.natural_frequency
     known = {
         s.a: swing.a,
@@ -101,7 +101,7 @@ def _largest(term: Expr, swing: Swing, motion: Mapping[Expr, Expr]) -> float:
 
 
 def sizes_drawn(
-    swing: Swing, title: str, description: str, words: Mapping[str, str], language: str
+    swing: Example, title: str, description: str, words: Mapping[str, str], language: str
 ) -> str:
     """Draw the sizes as bars on a logarithmic scale.
 
@@ -136,13 +136,13 @@ def sizes_drawn(
     return sheet.written(title, description)
 
 
-def sizes_told(swing: Swing, words: Mapping[str, str], language: str) -> str:
+def sizes_told(swing: Example, words: Mapping[str, str], language: str) -> str:
     """Say in a sentence what the bars show, for those who do not see them."""
     told = (f"{name} {_share(ratio, language)}" for _, name, ratio in _rows(swing, words))
     return f"{', '.join(told)}."
 
 
-def _rows(swing: Swing, words: Mapping[str, str]) -> list[tuple[str, str, float]]:
+def _rows(swing: Example, words: Mapping[str, str]) -> list[tuple[str, str, float]]:
     """Give style, name and share of each bar."""
     rows = [("pull", words["pull"], 1.0)]
     for one in sizes(swing):
