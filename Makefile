@@ -25,7 +25,7 @@ ALL := pyproject.toml --extra run --extra fit --extra paper --group install --gr
 
 RUST_SOURCES := $(shell find crates -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
 
-.PHONY: help run test check bench fuzz tables wheel lock clean
+.PHONY: help run test check bench study fuzz tables wheel lock clean
 
 help:  ## list these targets
 	@sed -nE 's/^([a-z]+):.*## (.*)/make \1\t\2/p' Makefile | expand -t 14
@@ -51,6 +51,9 @@ bench: $(STAMPS)/package $(STAMPS)/bench  ## every speed ratio against the peers
 
 tables: $(STAMPS)/package  ## what a job file may say, from its schema into README.md and docs
 	$(BIN)/python docs/job_files.py
+
+study: $(STAMPS)/package $(STAMPS)/check  ## how often the intervals of a fitted track hold, into docs/tracks.md; half an hour
+	nice $(BIN)/python -m studies.tracks --write docs/tracks.md
 
 fuzz: $(STAMPS)/package $(STAMPS)/check  ## 10 000 spoilt files, 5000 odd calls, 40 kills: an answer or a sentence
 	$(BIN)/python -m tests.fuzz.run $(FUZZ)

@@ -26,13 +26,13 @@ class Case:
     gravity: float
 
 
-def pendulum(seed: int, *, damping_anisotropy: float = 0.0, times: float = 1.0) -> Case:
+def pendulum(seed: int, *, damping_anisotropy: float = 0.0, tolerance: float = 1e-17) -> Case:
     """One pendulum of the study.
 
     1.5 to 30 m, a/l 0.02 to 0.08, |b|/a up to 0.15, 5 to 50 % lost within the track to linear and
     quadratic drag in random shares, δ/ω0 from 5e-6 to 2e-4, random axes and latitude.
 
-    damping_anisotropy: largest Δγ, as a share of γ; times: by which the track is longer.
+    damping_anisotropy: largest Δγ, as a share of γ; tolerance: of `RealMotion`.
     """
     random = np.random.default_rng([2026, seed])
     gravity = 9.81
@@ -55,6 +55,7 @@ def pendulum(seed: int, *, damping_anisotropy: float = 0.0, times: float = 1.0) 
         site=site,
         drag=kp.Drag(linear, quadratic),
         suspension=kp.Suspension(delta, axis, uneven, lossy),
+        tolerance=tolerance,
     )
     truth = {
         "rotation": float(site.vertical_rotation),

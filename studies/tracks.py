@@ -68,11 +68,12 @@ def one(
     uneven: float = 0.0,
     swings: float = 8.0,
     rate: float = RATE,
+    tolerance: float = 1e-17,
     along: float | None = None,
     white_errors: bool = False,
 ) -> None:
     """Add one track to a tally."""
-    case = pendulum(seed, damping_anisotropy=uneven)
+    case = pendulum(seed, damping_anisotropy=uneven, tolerance=tolerance)
     motion = case.motion
     if along is not None:
         launch = kp.Launch.ellipse(*np.asarray(motion.launch.values[:2], float), along)

@@ -1,5 +1,7 @@
 """The short form of the study in docs/tracks.md, and what a fit says about itself."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from studies.pendulums import pendulum
@@ -19,11 +21,15 @@ ELLIPSES = kp.tracks.ellipses(TRACK)
 FIT = kp.tracks.fit(ELLIPSES, gravity=9.81, latitude=0.85)
 
 
+QUICK: dict[str, Any] = {"rate": 5.0, "tolerance": 1e-12}
+"""Half of the study's points, and a motion a billion times better than the noise."""
+
+
 @pytest.fixture(scope="module")
 def tallies() -> dict[str, Tally]:
     """So many tracks that an interval which holds in 95 % leaves 88 to 99.5 % once in thousands."""
     return {
-        name: many(38, spoilt, rate=5.0, first=100 * index)
+        name: many(38, spoilt, first=100 * index, **QUICK)
         for index, (name, spoilt) in enumerate(KINDS.items())
     }
 
@@ -42,7 +48,7 @@ def test_errors_are_near_the_bound(tallies: dict[str, Tally]) -> None:
 
 
 def test_white_errors_fail_on_coloured_noise() -> None:
-    tally = many(20, KINDS["AR(0.8)"], white_errors=True, rate=5.0)
+    tally = many(20, KINDS["AR(0.8)"], white_errors=True, **QUICK)
     assert 0.4 < tally.coverage.mean() < 0.7  # 0.53 to 0.55 in the study
 
 
@@ -51,11 +57,10 @@ def test_no_bias_without_noise() -> None:
 
 
 def test_a_tilt_that_is_ignored_is_within_the_headline_only() -> None:
-    narrow = many(16, tilted, model="narrow", rate=5.0)
-    headline = many(16, tilted, model="headline", rate=5.0)
-    rotation = NAMES.index("rotation")
-    assert narrow.coverage[NAMES.index("a")] < 0.3
-    assert narrow.coverage[rotation] < 0.9
+    narrow = many(12, tilted, model="narrow", **QUICK)
+    headline = many(12, tilted, model="headline", **QUICK)
+    for name in ("a", "azimuth"):  # 0 and 1 % in the study
+        assert narrow.coverage[NAMES.index(name)] < 0.3
     assert (headline.coverage > 0.85).all()
 
 
