@@ -183,7 +183,7 @@ class _Window:
     def _forget(self) -> None:
         """Drop what is older than the windows that are kept."""
         first = self._time[-1] - _WINDOWS * self.swings * self._period
-        keep = int(np.searchsorted(self._time, first))
+        keep = int(np.sum(self._time < first))
         self._time, self._places = self._time[keep:], self._places[keep:]
         self.start = float(self._time[0])
 

@@ -206,7 +206,7 @@ def _start(measured: Measured) -> tuple[Numbers, float]:
     turned = IDEAL * float(np.mean(a * b)) * float(omega0[0]) / float(length[0]) ** 2
     given = {
         "a": size,
-        "b": float(np.clip(across, -0.9 * size, 0.9 * size)),
+        "b": min(max(across, -0.9 * size), 0.9 * size),
         "azimuth": float(middle[2]),
         "rotation": turned - float(slope[2]),
         "linear": 0.5 * decay,
