@@ -47,14 +47,16 @@ def least_squares(
     start: Numbers,
     scale: Numbers,
     most: int,
+    close: float,
 ) -> tuple[Numbers, bool]:
     """Where the sum of the squares is least, and whether an end was found.
 
-    Raises ValueError where the residuals at the start are not finite.
+    It ends where the sum falls by less than a share `close` of itself. Raises ValueError where the
+    residuals at the start are not finite.
     """
     result: Any = _part("optimize").least_squares(
         residuals, start, jacobian, method="trf", x_scale=scale, max_nfev=most, xtol=1e-8,
-        ftol=1e-6, gtol=1e-8,
+        ftol=close, gtol=1e-8,
     )  # fmt: skip
     return np.asarray(result.x, dtype=float), bool(result.status > 0)
 

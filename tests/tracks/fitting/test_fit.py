@@ -168,3 +168,29 @@ def test_an_even_pendulum_of_the_study_is_what_it_says() -> None:
     rates = case.motion.site
     assert rates is not None
     assert case.truth["rotation"] == pytest.approx(float(rates.vertical_rotation))
+
+
+def test_a_record_of_hours_ends_in_the_right_minimum() -> None:
+    # Its plane turns to and fro by a radian and b passes through 0 while a falls to a tenth.
+    motion = kp.RealMotion(
+        kp.Pendulum(1.955, 9.805),
+        kp.Launch.ellipse(0.28, 0.001, 0.9),
+        site=kp.Site(0.764),
+        drag=kp.Drag(2e-5, 8e-4),
+        suspension=kp.Suspension(6e-5, 0.4),
+        tolerance=1e-12,
+    )
+    track = kp.tracks.synthesise(motion, 33_000.0, 2.0, noise=5e-4, jitter=0.2, seed=1)
+    fit = kp.tracks.fit(track, gravity=9.805, models=("narrow",))
+    assert fit.narrow.time.size > 1000
+    assert not fit.misfit.is_misfit
+    truth = {
+        "rotation": float(kp.Site(0.764).vertical_rotation),
+        "linear": 2e-5,
+        "quadratic": 8e-4,
+        "anisotropy_cos": 6e-5 * np.cos(0.8),
+        "anisotropy_sin": 6e-5 * np.sin(0.8),
+    }
+    for name, value in truth.items():
+        estimate = fit.narrow.parameters[name]
+        assert estimate.value == pytest.approx(value, abs=4 * estimate.stderr), name

@@ -93,7 +93,7 @@ def fit(
     problem = problem_of(ellipses, length, gravity, latitude, damping_unevenness, tilt, tell)
     ellipses, measured = problem.ellipses, problem.measured
     judge = Judge(measured, problem.scale, ellipses, problem.scaled)
-    narrow = problem.solved("narrow", problem.start)
+    narrow = problem.narrow()
     fitted = {"narrow": judge.model("narrow", narrow, ())}
     for done, name in enumerate(problem.free):
         if name in models and name not in fitted:

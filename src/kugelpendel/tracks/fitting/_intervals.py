@@ -12,7 +12,7 @@ from kugelpendel.parameters import Numbers
 from kugelpendel.tracks._scipy import chi_square_tail, student
 from kugelpendel.tracks.fitting._model import DAMPING, INTRINSIC, Measured
 from kugelpendel.tracks.fitting._results import Estimate, FittedModel, Reason
-from kugelpendel.tracks.fitting._search import Found
+from kugelpendel.tracks.fitting._search import Found, correlation
 from kugelpendel.tracks.reduction import column, polynomial
 
 UNITS = {
@@ -123,11 +123,10 @@ class Judge:
             each: self._one(found, each, factor, t, each in stated) for each in found.names
         }
         parameters |= self._derived(found, factor, t)
-        size = np.sqrt(np.diag(found.covariance))
         scale = self._scale
         azimuth = measured.values[:, 2] - apart[:, 2]
         return FittedModel(
-            name, parameters, found.covariance / np.outer(size, size), found.chi_square,
+            name, parameters, correlation(found.covariance), found.chi_square,
             found.degrees, found.failed, self.time, predicted[:, 0] / scale,
             predicted[:, 1] / scale, azimuth, apart[:, 0] / scale, apart[:, 1] / scale, apart[:, 2],
         )  # fmt: skip

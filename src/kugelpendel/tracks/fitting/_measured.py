@@ -13,7 +13,7 @@ from kugelpendel.parameters import Launch, Numbers, Pendulum, Suspension
 from kugelpendel.tracks.fitting._intervals import NOTHING, Judge
 from kugelpendel.tracks.fitting._model import IDEAL, SHAPE, Measured
 from kugelpendel.tracks.fitting._results import FittedModel
-from kugelpendel.tracks.fitting._search import inverse
+from kugelpendel.tracks.fitting._search import correlation, inverse
 
 _UNEVEN = 1e-6
 """δ/ω0 at which its share of the rate is read off: small, as the share is linear in it."""
@@ -58,9 +58,8 @@ def azimuth_alone(
         for each, value, error_ in zip(columns, found, stderr, strict=True)
     }
     nothing = np.full(len(time), NOTHING)
-    size = np.sqrt(np.diag(covariance))
     return FittedModel(
-        name, parameters, covariance / np.outer(size, size), chi_square, degrees,
+        name, parameters, correlation(covariance), chi_square, degrees,
         not np.isfinite(found).all(), judge.time, nothing, nothing, design @ found * error,
         nothing, nothing, white * error,
     )  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -60,6 +60,14 @@ class Measured:
     def __post_init__(self) -> None:
         both = np.stack([self.time - self.spread, self.time + self.spread])
         object.__setattr__(self, "nodes", both)
+
+    def near(self, middle: int, count: int) -> Measured:
+        """So many windows about one of them; all where there are no more."""
+        some = slice(max(middle - count // 2, 0), middle + (count + 1) // 2)
+        return replace(
+            self, time=self.time[some], spread=self.spread[some], values=self.values[some],
+            whitening=self.whitening[some],
+        )  # fmt: skip
 
     def pendulum(self, rows: Numbers) -> tuple[Numbers, Numbers, Numbers]:
         """Length, gravity and ω0 (mean of the two axes) of every set of parameters.

@@ -36,6 +36,9 @@ _LIGHTEST, _HEAVIEST = 8.0, 12.0
 """m/s²: between which gravity and a bob's corrections to it lie; beyond, the length or the sampling
 is wrong."""
 
+_FEW = 64
+"""Windows that are fitted at first."""
+
 
 def silent(share: float) -> None:
     """A progress that nobody watches."""
@@ -82,6 +85,19 @@ class Problem:
         has_both = {*DAMPING, *TILT} <= set(self.free[model])
         return dict(self.sizes) if has_both else {}
 
+    def narrow(self) -> Found:
+        """The narrow model: of a long record that of the middle first, then of twice as much …
+
+        Over hours the ellipse turns and widens so often that a search from afar would end in
+        another minimum.
+        """
+        row, count = self.start, _FEW
+        while count < len(self.measured.time):
+            some = self.measured.near(self.middle, count)
+            row = search(some, row, self.free["narrow"], {}).row
+            count *= 2
+        return self.solved("narrow", row)
+
     def solved(self, model: str, begin: Numbers) -> Found:
         """The least-squares fit of a model from a set of parameters."""
         row = begin.copy()
@@ -120,7 +136,7 @@ def problem_of(
     measured, scale = measured_of(ellipses, middle, length, gravity, scaled)
     if ellipses.attrs["planar"]:
         _refuse_plane(ellipses)
-    start, decay = _start(measured)
+    start, decay = _start(measured.near(middle, _FEW))
     names = (*SHAPE, *FORCES) if scaled else (*SHAPE, *FORCES, INTRINSIC)
     wide = (*names, *DAMPING, *TILT)
     free: dict[str, tuple[str, ...]] = {
@@ -200,15 +216,16 @@ def _start(measured: Measured) -> tuple[Numbers, float]:
     """Where the search begins, and the decay rate of a in 1/s."""
     time, (a, b, azimuth) = measured.time, measured.values.T
     columns: Numbers = np.stack([np.log(a), b, azimuth], axis=1)
-    middle, slope = polynomial(time, columns, 1)
-    decay, size, across = -float(slope[0]), float(np.exp(middle[0])), float(middle[1])
+    lines: list[list[float]] = polynomial(time, columns, 1).tolist()
+    middle, slope = lines
+    decay, size, across = -slope[0], float(np.exp(middle[0])), middle[1]
     length, _, omega0 = measured.pendulum(measured.row({"a": size, "b": across})[None])
     turned = IDEAL * float(np.mean(a * b)) * float(omega0[0]) / float(length[0]) ** 2
     given = {
         "a": size,
         "b": min(max(across, -0.9 * size), 0.9 * size),
-        "azimuth": float(middle[2]),
-        "rotation": turned - float(slope[2]),
+        "azimuth": middle[2],
+        "rotation": turned - slope[2],
         "linear": 0.5 * decay,
         "quadratic": 0.5 * decay * 3 * np.pi / (4 * float(omega0[0]) * size),
     }

@@ -60,7 +60,7 @@ def profile(
     free = problem.free[model]
     if name not in free:
         raise InvalidInput.of("fit_parameter", seen=name, known=", ".join(free))
-    narrow = problem.solved("narrow", problem.start)
+    narrow = problem.narrow()
     found = problem.solved(model, narrow.row)
     stderr = found.stderr(name)
     if found.failed or not np.isfinite(stderr):
