@@ -220,7 +220,8 @@ def _start(measured: Measured) -> tuple[Numbers, float]:
     middle, slope = lines
     decay, size, across = -slope[0], float(np.exp(middle[0])), middle[1]
     length, _, omega0 = measured.pendulum(measured.row({"a": size, "b": across})[None])
-    turned = IDEAL * float(np.mean(a * b)) * float(omega0[0]) / float(length[0]) ** 2
+    area = (np.exp(columns[:, 0]) * columns[:, 1]).mean()
+    turned = IDEAL * float(area) * float(omega0[0]) / float(length[0]) ** 2
     given = {
         "a": size,
         "b": min(max(across, -0.9 * size), 0.9 * size),
