@@ -104,7 +104,7 @@ def _smoothed(
 
 
 def correlations(model: FittedModel, *, language: Language = "en") -> _ink.Picture:
-    """Draw the correlations of the parameters of a model as a table of colours and numbers."""
+    """Draw the figure of a model's correlations: a table of colours and numbers."""
     names = [name for name in model.parameters if name in _SIGNS][: len(model.correlation)]
     table = np.asarray(model.correlation)[: len(names), : len(names)]
     with styled():
