@@ -75,7 +75,7 @@ def shown(figure: Figure) -> bytes:
 
 
 def test_every_figure_is_asked_for_here() -> None:
-    assert {*FIGURES, "save"} == set(plot.__all__)
+    assert {*FIGURES, "save", "tracks"} == set(plot.__all__)  # test_tracks.py draws those
 
 
 def test_a_notebook_shows_it(figure: Figure) -> None:

@@ -86,7 +86,7 @@ class Problem:
         return dict(self.sizes) if has_both else {}
 
     def narrow(self) -> Found:
-        """The narrow model: of a long record that of the middle first, then of twice as much …
+        """The narrow model, found for the middle of a long record first and then outwards.
 
         Over hours the ellipse turns and widens so often that a search from afar would end in
         another minimum.
