@@ -10,7 +10,6 @@ from functools import cached_property
 from kugelpendel import _core
 from kugelpendel.motion import ExactMotion, RealMotion
 from kugelpendel.parameters import (
-    Bob,
     Drag,
     Drive,
     Forces,
@@ -18,7 +17,6 @@ from kugelpendel.parameters import (
     Launch,
     Numbers,
     Pendulum,
-    Site,
     Suspension,
     Wire,
 )
@@ -54,38 +52,13 @@ class Case:
         _refuse_ensembles(self)
         _refuse_numbers(self)
         _refuse_heavy_losses(self)
-        site = self.site
+        site = self.forces.site
         if site is not None and site.gravity_given and float(site.gravity) != self.gravity:
             raise InvalidInput(
                 f"The site's gravity is {float(site.gravity):.9g} m/s², the pendulum's is "
                 f"{self.gravity:.9g} m/s²; give the pendulum that of the site, or leave out the "
                 "site's."
             )
-
-    @property
-    def site(self) -> Site | None:
-        """The site where it hangs."""
-        return self.forces.site
-
-    @property
-    def drag(self) -> Drag | None:
-        """The drag of the air."""
-        return self.forces.drag
-
-    @property
-    def suspension(self) -> Suspension | None:
-        """What it lacks in symmetry."""
-        return self.forces.suspension
-
-    @property
-    def bob(self) -> Bob | None:
-        """Its size."""
-        return self.forces.bob
-
-    @property
-    def drive(self) -> Drive | None:
-        """The drive that is there now."""
-        return self.forces.drive
 
     @property
     def length(self) -> float:
@@ -120,7 +93,7 @@ class Case:
     @property
     def earth(self) -> float:
         """Ω_z, rad/s; 0 without a site."""
-        return 0.0 if self.site is None else float(self.site.vertical_rotation)
+        return 0.0 if self.forces.site is None else float(self.forces.site.vertical_rotation)
 
     def ground(self, a: float) -> float:
         """Speed across the swing that rest against the floor is, m/s, at a from the axis.
@@ -128,21 +101,21 @@ class Case:
         Ω_z a − (2/3)(a²/l) Ω_h sin(azimuth): the second is what the Coriolis force on the bob's
         fall and rise leaves of it, docs/design.md.
         """
-        if self.site is None:
+        if self.forces.site is None:
             return 0.0
-        level = float(self.site.horizontal_rotation) * math.sin(self.azimuth)
+        level = float(self.forces.site.horizontal_rotation) * math.sin(self.azimuth)
         return self.earth * a - 2 / 3 * a**2 / self.length * level
 
     @cached_property
     def fading(self) -> _core.Decay:
         """How the drag takes from a plane swing: a' = −γa − ka², k = (4/3π) c ω0."""
-        linear, quadratic = (0.0, 0.0) if self.drag is None else self.drag.values
+        linear, quadratic = (0.0, 0.0) if self.forces.drag is None else self.forces.drag.values
         return _core.Decay(float(linear), float(quadratic), self.omega)
 
     @property
     def linear(self) -> float:
         """γ, 1/s."""
-        return 0.0 if self.drag is None else float(self.drag.linear)
+        return 0.0 if self.forces.drag is None else float(self.forces.drag.linear)
 
     @property
     def decay(self) -> float:
@@ -165,12 +138,13 @@ class Case:
     @property
     def stiffness(self) -> float:
         """δ, rad/s; 0 for an even suspension."""
-        return 0.0 if self.suspension is None else float(self.suspension.anisotropy)
+        return 0.0 if self.forces.suspension is None else float(self.forces.suspension.anisotropy)
 
     @property
     def damping(self) -> float:
         """Δγ, 1/s; 0 for an even suspension."""
-        return 0.0 if self.suspension is None else float(self.suspension.damping_anisotropy)
+        suspension = self.forces.suspension
+        return 0.0 if suspension is None else float(suspension.damping_anisotropy)
 
     def launch(self, b: float, *, turning: bool, a: float | None = None) -> Launch:
         """From the outer turning point, so that the ellipse is a by b where nothing turns.
@@ -199,12 +173,12 @@ class Case:
     ) -> RealMotion:
         """The full equations with the bob, and with what is named of the rest."""
         forces = Forces(
-            site=self.site if site else None,
-            drag=(self.drag if drag else None) if isinstance(drag, bool) else drag,
-            suspension=(self.suspension if suspension else None)
+            site=self.forces.site if site else None,
+            drag=(self.forces.drag if drag else None) if isinstance(drag, bool) else drag,
+            suspension=(self.forces.suspension if suspension else None)
             if isinstance(suspension, bool)
             else suspension,
-            bob=self.bob,
+            bob=self.forces.bob,
             drive=drive,
         )
         return RealMotion(self.pendulum, launch, forces, tolerance=_FINE if fine else _COARSE)
@@ -262,9 +236,9 @@ _MOST_LOSS = 0.05
 
 def _refuse_heavy_losses(case: Case) -> None:
     stiff = damping = 0.0
-    if case.suspension is not None:
-        stiff = abs(float(case.suspension.anisotropy))
-        damping = abs(float(case.suspension.damping_anisotropy))
+    if case.forces.suspension is not None:
+        stiff = abs(float(case.forces.suspension.anisotropy))
+        damping = abs(float(case.forces.suspension.damping_anisotropy))
     for name, rate, unit in (
         ("drag takes", case.decay, "1/s"),
         ("suspension's anisotropy is", stiff, "rad/s"),

@@ -53,8 +53,8 @@ def drive(case: Case) -> Iterator[DesignAnswer]:
         "weak": replace(best, size=best.size / 2),
         "strong": replace(best, size=2 * best.size),
     }
-    if case.drive is not None:
-        tried["given"] = Push(float(case.drive.push), _phase(case, case.drive))
+    if case.forces.drive is not None:
+        tried["given"] = Push(float(case.forces.drive.push), _phase(case, case.forces.drive))
     for key, push in tried.items():
         yield from _tried(case, key, push)
 
@@ -71,7 +71,7 @@ def _tried(case: Case, key: str, push: Push) -> Iterator[DesignAnswer]:
     b = case.b or _NARROW * case.a
     # A plane swing loses as much by linear drag alone, and linear drag leaves b/a as it is.
     drag = Drag(case.decay)
-    forces = Forces(drag=drag, bob=case.bob, drive=Drive(push.size, phase=push.phase))
+    forces = Forces(drag=drag, bob=case.forces.bob, drive=Drive(push.size, phase=push.phase))
     shares, (grows, _) = _core.budget_at_start(*case.averaged(b, forces))
     _, intrinsic, _, _, pushed = shares
     facts = {

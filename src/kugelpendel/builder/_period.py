@@ -35,16 +35,16 @@ def period(case: Case) -> Iterator[DesignAnswer]:
         check = DesignCheck(total, _measured.period(motion, case.swing), how("everything"))
     yield answer("period", total, check)
     yield answer("gravity_standard", math.sqrt(_STANDARD / case.gravity) - 1)
-    if case.site is not None and not case.site.gravity_given:
-        normal = float(case.site.gravity)
+    if case.forces.site is not None and not case.forces.site.gravity_given:
+        normal = float(case.forces.site.gravity)
         yield answer("gravity_site", math.sqrt(normal / case.gravity) - 1, normal=normal)
 
 
 def _bob(case: Case) -> Iterator[tuple[str, float]]:
     """Those of a ball in air on a thread, each as if it were alone; they are in T0 already."""
-    if case.bob is None:
+    if case.forces.bob is None:
         return
-    bob = case.bob
+    bob = case.forces.bob
     ratio = float(bob.radius) / case.length
     thread = float(bob.thread_mass) / float(bob.mass)
     air = float(bob.air_density) / float(bob.density)
@@ -60,6 +60,6 @@ def _surroundings(case: Case) -> Iterator[tuple[str, float]]:
         yield "drag_period", 1 / math.sqrt(1 - (case.linear / case.omega) ** 2) - 1
     if case.earth:
         yield "earth_period", 1 / math.sqrt(1 + (case.earth / case.omega) ** 2) - 1
-    if case.suspension is not None and float(case.suspension.anisotropy):
-        delta, axis = float(case.suspension.anisotropy), float(case.suspension.axis)
+    if case.forces.suspension is not None and float(case.forces.suspension.anisotropy):
+        delta, axis = float(case.forces.suspension.anisotropy), float(case.forces.suspension.axis)
         yield "suspension_period", -delta / case.omega * math.cos(case.azimuth - axis) ** 2

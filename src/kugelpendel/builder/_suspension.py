@@ -131,10 +131,10 @@ def _run(case: Case, alone: Suspension, duration: float) -> _Run | None:
 
 def _anisotropy_checks(case: Case) -> dict[str, DesignCheck]:
     """By key, from one run once round the orbit; none where it is not run."""
-    if not case.stiffness or case.suspension is None:
+    if not case.stiffness or case.forces.suspension is None:
         return {}
     orbit = portrait(case).orbit
-    alone = Suspension(case.suspension.anisotropy, case.suspension.axis)
+    alone = Suspension(case.forces.suspension.anisotropy, case.forces.suspension.axis)
     found = _run(case, alone, orbit.period)
     if found is None:
         return {}
@@ -164,8 +164,8 @@ def _stiffness(orbit: Orbit, checks: dict[str, DesignCheck]) -> Iterator[DesignA
 
 
 def _damping(case: Case, slowest: float, fastest: float, duration: float) -> Iterator[DesignAnswer]:
-    assert case.suspension is not None
-    _, _, damping, axis = case.suspension.values
+    assert case.forces.suspension is not None
+    _, _, damping, axis = case.forces.suspension.values
     time = _time(case, duration)
     found = _run(case, Suspension(0.0, 0.0, damping, axis), time)
     slow = fast = None
@@ -186,7 +186,7 @@ def _settled(case: Case) -> _Settled | None:
     None as well where it ends before, or has not settled within a month.
     """
     uneven = case.stiffness or case.damping
-    if not uneven or (case.drive is None and not case.decay):
+    if not uneven or (case.forces.drive is None and not case.decay):
         return None
     return _core.settled(*case.averaged(case.b, case.forces))
 

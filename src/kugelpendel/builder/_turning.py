@@ -19,7 +19,7 @@ _SWINGS = 10  # over which the checks take a mean
 
 def foucault(case: Case) -> Iterator[DesignAnswer]:
     """What the Earth does to any pendulum there."""
-    if case.site is None:
+    if case.forces.site is None:
         return
     rate = -case.earth
     check = None
@@ -110,7 +110,7 @@ def budget(case: Case) -> dict[str, float]:
     shares, _ = _core.budget_at_start(*case.averaged(case.b, without))
     parts: dict[str, float] = dict(zip(CAUSES, shares, strict=True))
     del parts["drive"]
-    if case.suspension is None:
+    if case.forces.suspension is None:
         del parts["anisotropy"], parts["damping"]
     return parts
 

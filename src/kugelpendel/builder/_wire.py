@@ -24,7 +24,7 @@ def wire(case: Case) -> Iterator[DesignAnswer]:
     if case.wire is None:
         return
     area, young = float(case.wire.cross_section), float(case.wire.young)
-    own = 0.0 if case.bob is None else float(case.bob.thread_mass) * case.gravity
+    own = 0.0 if case.forces.bob is None else float(case.forces.bob.thread_mass) * case.gravity
     yield answer("stress", (most + own) / area, None, "weight" if own else "no_weight")
     rest = mass * case.gravity
     yield answer("stretch_rest", (rest + own / 2) * case.length / (area * young))
