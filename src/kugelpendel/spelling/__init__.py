@@ -7,6 +7,7 @@ turns numbers in SI into text and fails for none of them.
 
 from kugelpendel.spelling._numbers import general as general
 from kugelpendel.spelling._numbers import grouped as grouped
+from kugelpendel.spelling._numbers import localised as localised
 from kugelpendel.spelling._numbers import minus as minus
 from kugelpendel.spelling._numbers import significant as significant
 from kugelpendel.spelling._numbers import spell_percent as spell_percent
@@ -25,6 +26,7 @@ __all__ = [
     "degrees",
     "general",
     "grouped",
+    "localised",
     "minus",
     "rate_unit",
     "significant",

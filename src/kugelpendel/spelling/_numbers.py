@@ -36,13 +36,13 @@ def significant(value: float, digits: int = 4, *, language: Language = "en") -> 
     text = f"{value:.{digits - 1}e}"
     exponent = int(text.partition("e")[2])  # as it is after rounding: 9.9996 is 10.00
     if -5 <= exponent < max(digits, 6):
-        return _local(f"{value:.{max(digits - 1 - exponent, 0)}f}", language)
-    return _local(text, language)
+        return localised(f"{value:.{max(digits - 1 - exponent, 0)}f}", language)
+    return localised(text, language)
 
 
 def general(value: float, digits: int = 6, *, language: Language = "en") -> str:
     """Say a number to at most so many digits, without zeros at its end that would claim more."""
-    return _local(f"{value:.{digits}g}", language)
+    return localised(f"{value:.{digits}g}", language)
 
 
 def grouped(count: int) -> str:
@@ -65,5 +65,6 @@ def spell_percent(fraction: float, *, language: Language = "en") -> str:
     return f"{signed(100 * fraction, 2, language)} %"
 
 
-def _local(text: str, language: Language) -> str:
+def localised(text: str, language: Language) -> str:
+    """Give the digits of a number the signs that are read: a minus, and a comma in German."""
     return minus(text.replace(".", ",") if language == "de" else text)

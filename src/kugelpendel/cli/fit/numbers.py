@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from kugelpendel.spelling import minus, unit_for
+from kugelpendel.spelling import localised, unit_for
 
 if TYPE_CHECKING:
     from kugelpendel.errors import Language
@@ -58,7 +58,7 @@ class Shown:
         digits = 2 if error else 3
         places = digits - 1 - math.floor(math.log10(size)) if size else 0
         text = f"{round(shown, places):.{max(0, min(places, 12))}f}"
-        return minus(text.replace(".", ",") if self.language == "de" else text)
+        return localised(text, self.language)
 
     def with_unit(self, number: str) -> str:
         """A number that was made so with its unit; several with one power of ten in brackets."""

@@ -6,12 +6,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import matplotlib as mpl
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from kugelpendel.plot import _ink
 from kugelpendel.plot.tracks._labels import label
-from kugelpendel.plot.tracks._page import WIDTH, localise, styled
+from kugelpendel.plot.tracks._page import WIDTH, localise
 from kugelpendel.spelling import unit_for
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ def course(
     Picture
         Of matplotlib, without a window.
     """
-    with styled():
+    with mpl.rc_context(_ink.STYLE):
         rows = 3 if model is None else 6
         figure = _ink.blank(WIDTH, 6.4 if model is None else 9.4, h_pad=0.03)
         ratios = [1] * 3 if model is None else [2, 1] * 3

@@ -38,8 +38,3 @@ def label(key: str, language: Language) -> str:
 def german_words(sign: str, language: Language) -> str:
     """The sign of a parameter, in which only the tilt is a word."""
     return sign.replace("tilt", "Neigung") if language == "de" else sign
-
-
-def german_commas(text: str, language: Language) -> str:
-    """A number with the decimal mark of the language."""
-    return text.replace(".", ",") if language == "de" else text

@@ -11,8 +11,8 @@ import numpy as np
 
 from kugelpendel.plot import _ink
 from kugelpendel.plot.tracks._labels import german_words, label
-from kugelpendel.plot.tracks._page import WIDTH, localise, styled
-from kugelpendel.spelling import minus
+from kugelpendel.plot.tracks._page import WIDTH, localise
+from kugelpendel.spelling import localised
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -36,8 +36,6 @@ _SIGNS = {
     "intrinsic": "κ",
 }
 _MOST_CELLS = 800
-_LEVEL = 3.841
-"""What χ² may rise by within 95 % for one parameter."""
 
 
 def spectrum(residuals: xr.Dataset, frequency: float, *, language: Language = "en") -> _ink.Picture:
@@ -57,7 +55,7 @@ def spectrum(residuals: xr.Dataset, frequency: float, *, language: Language = "e
     Picture
         Of matplotlib, without a window.
     """
-    with styled():
+    with mpl.rc_context(_ink.STYLE):
         figure = _ink.blank(WIDTH, 3.8)
         axes = figure.add_subplot()
         omega, power = _smoothed(
@@ -107,7 +105,7 @@ def correlations(model: FittedModel, *, language: Language = "en") -> _ink.Pictu
     """Draw the figure of a model's correlations: a table of colours and numbers."""
     names = [name for name in model.parameters if name in _SIGNS][: len(model.correlation)]
     table = np.asarray(model.correlation)[: len(names), : len(names)]
-    with styled():
+    with mpl.rc_context(_ink.STYLE):
         figure = _ink.blank(WIDTH, 4.9)
         axes = figure.add_subplot()
         axes.imshow(table, cmap=mpl.colormaps["RdBu_r"], vmin=-1, vmax=1)
@@ -117,9 +115,9 @@ def correlations(model: FittedModel, *, language: Language = "en") -> _ink.Pictu
         for row in range(len(names)):
             for column in range(len(names)):
                 value = table[row, column]
-                text = minus(f"{value:.1f}".replace("-0.0", "0.0"))
+                text = localised(f"{value:.1f}".replace("-0.0", "0.0"), language)
                 axes.text(
-                    column, row, text.replace(".", ",") if language == "de" else text,
+                    column, row, text,
                     ha="center", va="center", fontsize=7,
                     color="white" if abs(value) > 0.6 else _ink.TEXT,
                 )  # fmt: skip
@@ -130,19 +128,19 @@ def correlations(model: FittedModel, *, language: Language = "en") -> _ink.Pictu
 def profile(found: Profile, *, language: Language = "en") -> _ink.Picture:
     """Draw how χ² rises on both sides of the best rate of turning."""
     hour = np.degrees(1.0) * 3600
-    with styled():
+    with mpl.rc_context(_ink.STYLE):
         figure = _ink.blank(WIDTH, 3.6)
         axes = figure.add_subplot()
         values = np.asarray(found.values) * hour
         rise = np.asarray(found.chi_square) - np.nanmin(found.chi_square)
         axes.plot(values, rise, "o-", color=_ink.INNER, markersize=3, linewidth=1.4)
-        axes.axhline(_LEVEL, color=_ink.OUTER, linestyle="--", label=label("level", language))
+        axes.axhline(found.level, color=_ink.OUTER, linestyle="--", label=label("level", language))
         axes.set(
             xlabel=f"{label('rotation', language)} (°/h)",
             ylabel=label("excess", language),
             title=label("profile", language),
         )
-        axes.set_ylim(0, min(4 * _LEVEL, float(np.nanmax(rise)) * 1.1 or 1.0))
+        axes.set_ylim(0, min(4 * found.level, float(np.nanmax(rise)) * 1.1 or 1.0))
         axes.legend(frameon=False)
         localise(axes, language)
     return figure

@@ -4,16 +4,10 @@
 # pyright: reportUnknownMemberType=false
 from __future__ import annotations
 
-from collections.abc import Generator
-from contextlib import contextmanager
-
-import matplotlib as mpl
 from matplotlib.axes import Axes
 from matplotlib.ticker import FuncFormatter
 
 from kugelpendel.errors import Language
-from kugelpendel.plot import _ink
-from kugelpendel.plot.tracks._labels import german_commas
 from kugelpendel.spelling import general
 
 WIDTH = 5.4
@@ -23,18 +17,11 @@ MOST_POINTS = 20_000
 """More points than that are thinned out in a figure: they would lie on one another."""
 
 
-@contextmanager
-def styled() -> Generator[None]:
-    """Draw within the block as all figures of this package are drawn."""
-    with mpl.rc_context(_ink.STYLE):
-        yield
-
-
 def localise(axes: Axes, language: Language) -> None:
     """Give the ticks of both axes the decimal mark of the language."""
 
     def said(value: float, _: int) -> str:
-        return german_commas(general(value, 7), language)
+        return general(value, 7, language=language)
 
     if language == "de":
         for axis in (axes.xaxis, axes.yaxis):

@@ -6,11 +6,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import matplotlib as mpl
 import numpy as np
 
 from kugelpendel.plot import _ink
 from kugelpendel.plot.tracks._labels import label
-from kugelpendel.plot.tracks._page import MOST_POINTS, WIDTH, localise, styled
+from kugelpendel.plot.tracks._page import MOST_POINTS, WIDTH, localise
 from kugelpendel.spelling import unit_for
 from kugelpendel.tracks import Track
 
@@ -41,7 +42,7 @@ def seen(
     Picture
         Of matplotlib, without a window.
     """
-    with styled():
+    with mpl.rc_context(_ink.STYLE):
         figure = _ink.blank(WIDTH, 4.9)
         axes = figure.add_subplot()
         first, last = _ellipse(ellipses, 0), _ellipse(ellipses, -1)

@@ -47,7 +47,7 @@ def profile(
     -------
     Profile
         Of a model without a misfit it is a parabola but for |δ| near 0 and parameters that are
-        hardly determined (docs/tracks.md), so that `fit` does without.
+        hardly determined, so that `fit` does without.
 
     Raises
     ------
@@ -87,7 +87,7 @@ def profile(
     scale = {"a": 1 / problem.scale, "b": 1 / problem.scale, "quadratic": problem.scale}
     unit = scale.get(name, 1.0)
     closes = bool(np.isfinite(low) and np.isfinite(high))
-    return Profile(name, values * unit, chi_square, low * unit, high * unit, closes)
+    return Profile(name, values * unit, chi_square, level, low * unit, high * unit, closes)
 
 
 def _crossing(values: Numbers, chi_square: Numbers, level: float) -> float:

@@ -9,7 +9,7 @@ from typing import Literal, TypeAlias
 from kugelpendel.errors import InvalidInput
 from kugelpendel.parameters import Numbers
 
-Verdict: TypeAlias = Literal["determined", "not determined", "given", "nuisance"]
+Verdict: TypeAlias = Literal["determined", "not determined", "nuisance"]
 Reason: TypeAlias = Literal["", "wide", "outside", "scale", "modulus", "failed"]
 
 
@@ -26,8 +26,8 @@ class Estimate:
     unit
         As in "1/s"; "" for a plain number.
     verdict
-        "determined"; "not determined", when there is no number; "given", when it was not fitted;
-        "nuisance" for what has a stated size and is there to widen the others honestly.
+        "determined"; "not determined", when there is no number; "nuisance" for what has a stated
+        size and is there to widen the others honestly.
     reason
         Why it is not determined: "wide", the interval does not close inside the physical range;
         "outside", it lies beside that range; "scale", it needs a length that the track does not
@@ -259,8 +259,10 @@ class Profile:
         At which it is held, in its unit.
     chi_square
         Above the least one.
+    level
+        Which χ² passes at the ends of a 95 % interval.
     low, high
-        Where it crosses the 95 % level; NaN where it does not within `values`.
+        Where it crosses that level; NaN where it does not within `values`.
     closes
         Whether it does so on both sides.
     """
@@ -268,6 +270,7 @@ class Profile:
     name: str
     values: Numbers
     chi_square: Numbers
+    level: float
     low: float
     high: float
     closes: bool
