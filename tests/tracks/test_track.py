@@ -29,3 +29,13 @@ def test_keeps_what_it_is_given_and_cannot_be_changed():
 def test_refuses_what_is_no_track(time, x, said):
     with pytest.raises(kp.InvalidInput, match=said):
         kp.tracks.Track(np.array(time), np.array(x), np.array(x))
+
+
+def test_refuses_what_is_no_table_of_ellipses():
+    one = np.ones(2)
+    with pytest.raises(kp.InvalidInput, match=r"b of ellipse 1 is inf; leave out what was not"):
+        kp.tracks.EllipseTable(np.arange(2.0), one, np.array([0.0, math.inf]), one)
+    with pytest.raises(kp.InvalidInput, match=r"table of ellipses ascend.*keep one row"):
+        kp.tracks.EllipseTable(one, one, one, one)
+    with pytest.raises(kp.InvalidInput, match=r"table of ellipses has one azimuth"):
+        kp.tracks.EllipseTable(np.arange(2.0), one, one, np.ones(3))

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import final
+from typing import ClassVar, Literal, final
 
-import numpy as np
-
-from kugelpendel.errors import InvalidInput
 from kugelpendel.parameters import Numbers
+from kugelpendel.tracks._columns import keep_columns
 from kugelpendel.tracks._note import Note
 
 
@@ -45,30 +43,14 @@ class EllipseTable:
     unit: str = "m"
     notes: tuple[Note, ...] = ()
 
+    axes: ClassVar[Literal["room"]] = "room"
+    """No phone writes tables of ellipses."""
+
     def __post_init__(self) -> None:
-        for name in ("time", "a", "b", "azimuth"):
-            values = np.array(getattr(self, name), dtype=float)
-            if values.ndim != 1 or values.shape != np.shape(self.time):
-                raise InvalidInput(
-                    f"A table of ellipses has one {name} to each time in a flat array, but the "
-                    f"shapes are {values.shape} and {np.shape(self.time)}; leave out what belongs "
-                    "to no time."
-                )
-            if not np.isfinite(values).all():
-                where = int(np.flatnonzero(~np.isfinite(values))[0])
-                raise InvalidInput(
-                    f"{name} of ellipse {where} is {values[where]}; leave out what was not "
-                    "measured."
-                )
-            values.flags.writeable = False
-            object.__setattr__(self, name, values)
-        steps = np.diff(self.time)
-        if (steps <= 0).any():
-            where = int(np.argmax(steps <= 0))
-            raise InvalidInput(
-                f"The times of a table of ellipses ascend, but after {self.time[where]} s comes "
-                f"{self.time[where + 1]} s; sort them and keep one row of each time."
-            )
+        keep_columns(
+            self, "a", "b", "azimuth", whole="table of ellipses", point="ellipse", row="row",
+            unseen="what was not measured",
+        )  # fmt: skip
 
     def __len__(self) -> int:
         return len(self.time)

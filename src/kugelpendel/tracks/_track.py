@@ -5,10 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, final
 
-import numpy as np
-
-from kugelpendel.errors import InvalidInput
 from kugelpendel.parameters import Numbers
+from kugelpendel.tracks._columns import keep_columns
 from kugelpendel.tracks._note import Note
 
 
@@ -47,28 +45,10 @@ class Track:
     axes: Literal["room", "phone"] = "room"
 
     def __post_init__(self) -> None:
-        for name in ("time", "x", "y"):
-            values = np.array(getattr(self, name), dtype=float)
-            if values.ndim != 1 or values.shape != np.shape(self.time):
-                raise InvalidInput(
-                    f"A track has one {name} to each time in a flat array, but the shapes are "
-                    f"{values.shape} and {np.shape(self.time)}; leave out what belongs to no time."
-                )
-            if not np.isfinite(values).all():
-                where = int(np.flatnonzero(~np.isfinite(values))[0])
-                raise InvalidInput(
-                    f"{name} of point {where} is {values[where]}; leave out points that were not "
-                    "seen."
-                )
-            values.flags.writeable = False
-            object.__setattr__(self, name, values)
-        steps = np.diff(self.time)
-        if (steps <= 0).any():
-            where = int(np.argmax(steps <= 0))
-            raise InvalidInput(
-                f"The times of a track ascend, but after {self.time[where]} s comes "
-                f"{self.time[where + 1]} s; sort them and keep one point of each time."
-            )
+        keep_columns(
+            self, "x", "y", whole="track", point="point", row="point",
+            unseen="points that were not seen",
+        )  # fmt: skip
 
     def __len__(self) -> int:
         return len(self.time)

@@ -25,13 +25,13 @@ _ABOUT = (
 def as_json(found: Findings) -> str:
     """All that was found as JSON text."""
     fit = found.fit
-    is_phone = getattr(found.track, "axes", "room") == "phone"
+    is_phone = found.track.axes == "phone"
     tables: dict[str, Any] = {
         "about": _ABOUT,
         "version": version("kugelpendel"),
         "file": found.file,
         "unit": found.track.unit,
-        "axes": getattr(found.track, "axes", "room"),
+        "axes": found.track.axes,
         "notes": [note_table(note) for note in found.notes],
         "ellipses": ellipses_table(found.ellipses),
     }

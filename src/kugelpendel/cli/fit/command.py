@@ -131,7 +131,7 @@ def _found(file: Path, asked: Asked, parts: dict[str, _Part]) -> tuple[Findings,
         track = kp.tracks.read(file, **asked.reading, progress=advance)
     with parts["ellipses"].counted() as advance:
         ellipses = ellipses_of(track, asked.swings, advance)
-    is_phone = getattr(track, "axes", "room") == "phone"
+    is_phone = track.axes == "phone"
     with parts["fit"].counted() as advance:
         given: dict[str, Any] = {
             "length": asked.length,

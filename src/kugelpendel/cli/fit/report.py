@@ -150,7 +150,7 @@ class _Writer:
 
     @property
     def _has_axes_of_room(self) -> bool:
-        return getattr(self._found.track, "axes", "room") == "room"
+        return self._found.track.axes == "room"
 
     def _say(self, key: str, **values: str) -> str:
         return self._words[key].format_map(values)
@@ -206,7 +206,7 @@ class _Writer:
 
     def _estimated(self, key: str, estimate: Estimate | None, name: str = "") -> ReportRow | None:
         """A row of an estimate; without a number where it is not determined."""
-        if estimate is None or estimate.verdict == "given":
+        if estimate is None:
             return None
         meaning = self._say(f"{key}_mean", **self._sizes())
         shown = shown_in(name or key, estimate, self._language)
@@ -378,7 +378,7 @@ class _Writer:
         if table is None:
             return section
         self._rows(section, self._estimated("slope", table.slope))
-        theory = self._number(-1 / 16)
+        theory = self._number(table.theory)
         section.rows.append(ReportRow(self._say("theory"), theory, self._say("theory_mean")))
         self._rows(section, self._estimated("drift", table.drift))
         values = {name: self._number(value) for name, value in table.chi_square.items()}
