@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -97,7 +98,7 @@ def ellipses(
     with its own, and two harmonics; outliers are those beyond 4.5 standard deviations. Errors come
     from the spectrum of the residuals at the frequency of the swing, so that slow or hasty noise
     is counted as it acts, and x may be noisier than y. On tracks with a known truth the 95 %
-    intervals hold in 92 to 98 % (docs/tracks.md). a and b are those of the fundamental, at a time
+    intervals hold in 93 to 99 % (docs/tracks.md). a and b are those of the fundamental, at a time
     in the middle: a turning radius is (3/64)(a² − b²)/l² less for a, and as much more for b.
     """
     require_extra("fit", "kugelpendel.tracks", "scipy", "xarray")
@@ -124,28 +125,42 @@ def residuals(track: Track, *, swings: float = 8.0) -> Any:
 
     reduced = _reduced(track, swings, lambda share: None)
     place = reduced.z - reduced.residuals + reduced.origin
+    rest = reduced.residuals.copy()
     omega0 = float(np.mean(reduced.carrier.frequency(reduced.windows.middle)))
     noise, unit = reduced.noise, track.unit
     line = noise.line(np.where(noise.frequency == 0, omega0, noise.frequency), omega0)
     return xarray.Dataset(
         {
-            "x": ("time", reduced.residuals.real, {"units": unit}),
-            "y": ("time", reduced.residuals.imag, {"units": unit}),
+            "x": ("time", rest.real, {"units": unit}),
+            "y": ("time", rest.imag, {"units": unit}),
             "model_x": ("time", place.real, {"units": unit}),
             "model_y": ("time", place.imag, {"units": unit}),
-            "kept": ("time", reduced.kept),
-            "spectrum": ("angular_frequency", noise.power, {"units": f"{unit}2"}),
+            "kept": ("time", reduced.kept.copy()),
+            "spectrum": ("angular_frequency", noise.power.copy(), {"units": f"{unit}2"}),
             "spectrum_model": ("angular_frequency", line, {"units": f"{unit}2"}),
         },
         {
-            "time": ("time", reduced.time, {"units": "s"}),
-            "angular_frequency": ("angular_frequency", noise.frequency, {"units": "rad/s"}),
+            "time": ("time", reduced.time.copy(), {"units": "s"}),
+            "angular_frequency": ("angular_frequency", noise.frequency.copy(), {"units": "rad/s"}),
         },
         {"swing_frequency": omega0, "unit": unit},
     )
 
 
+_LATEST: WeakKeyDictionary[Track, tuple[float, _Reduced]] = WeakKeyDictionary()
+"""The latest reduction of each track that is in use: ellipses and residuals come of the same."""
+
+
 def _reduced(track: Track, swings: float, tell: Callable[[float], None]) -> _Reduced:
+    """The track taken apart, once for all that is asked of it."""
+    latest = _LATEST.get(track)
+    if latest is None or latest[0] != swings:
+        latest = _LATEST[track] = (swings, _reduce(track, swings, tell))
+    tell(1.0)
+    return latest[1]
+
+
+def _reduce(track: Track, swings: float, tell: Callable[[float], None]) -> _Reduced:
     if not 3 <= swings < 1e6:
         raise InvalidInput.of("track_window", swings=float(swings))
     time, z = np.asarray(track.time), track.x + 1j * track.y
@@ -179,7 +194,6 @@ def _reduced(track: Track, swings: float, tell: Callable[[float], None]) -> _Red
     windows = windows.chosen(good)
     _refuse_strange(windows, rest, kept, len(time) - left_out)
     noise = noise_of(time, rest, kept, windows, carrier)
-    tell(1.0)
     return _Reduced(time, z, kept, rest, carrier, windows, noise, count, left_out, origin)
 
 
@@ -245,4 +259,5 @@ def _dataset(reduced: _Reduced, unit: str) -> Any:
         "rate": 1.0 / usual_step(reduced.time),
     }
     covariance = covariance_of(windows, noise, azimuth)
-    return labelled(windows.middle, values, covariance, attrs, windows.spread, windows.points)
+    own = (each.copy() for each in (windows.spread, windows.points))
+    return labelled(windows.middle.copy(), values, covariance, attrs, *own)
