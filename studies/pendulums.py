@@ -72,7 +72,7 @@ def pendulum(seed: int, *, damping_anisotropy: float = 0.0, tolerance: float = 1
 def shape(case: Case, time: float) -> dict[str, float]:
     """Turning radii and azimuth of the real motion near a time: six swings, cubic amplitudes.
 
-    Not from the averaged motion, whose quadratic drag is off by up to 0.6 of a standard error.
+    Not from the averaged motion, whose own error would be counted as the fit's.
     """
     length = float(case.motion.pendulum.length)
     omega0 = float(case.motion.angular_frequency)

@@ -36,6 +36,12 @@ def first_order(new: Numbers, memory: float) -> Numbers:
     return np.asarray(_part("signal").lfilter([1.0], [1.0, -memory], new), dtype=float)
 
 
+def running_integral(time: Numbers, rate: Numbers) -> Numbers:
+    """∫ rate dt from the first time to each, by trapezoids."""
+    summed = _part("integrate").cumulative_trapezoid(rate, time, initial=0.0)
+    return np.asarray(summed, dtype=float)
+
+
 def spline(grid: Numbers, values: Numbers, times: Numbers) -> Numbers:
     """Cubic interpolation along the second axis."""
     return np.asarray(_part("interpolate").CubicSpline(grid, values, axis=1)(times), dtype=float)

@@ -10,6 +10,7 @@ import numpy as np
 
 from kugelpendel.motion import EnvelopeMotion, ExactMotion
 from kugelpendel.parameters import Launch, Numbers, Pendulum, Suspension
+from kugelpendel.tracks._scipy import running_integral
 from kugelpendel.tracks.fitting._intervals import NOTHING, Judge
 from kugelpendel.tracks.fitting._model import IDEAL, SHAPE, Measured
 from kugelpendel.tracks.fitting._results import FittedModel
@@ -87,6 +88,5 @@ def _rates(measured: Measured, with_anisotropy: bool) -> dict[str, Numbers]:
 
 def _integrated(time: Numbers, rate: Numbers) -> Numbers:
     """∫ rate dt from t = 0 by trapezoids."""
-    steps = 0.5 * (rate[1:] + rate[:-1]) * np.diff(time)
-    whole = np.concatenate([[0.0], np.cumsum(steps)])
+    whole = running_integral(time, rate)
     return whole - np.interp(0.0, time, whole)

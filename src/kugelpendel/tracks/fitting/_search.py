@@ -31,8 +31,6 @@ class Found:
         All parameters, in the order of `ALL`.
     covariance
         (JᵀJ)⁻¹ of the free ones; infinite where they cannot be told apart.
-    jacobian
-        Of the whitened residuals, nuisances last: shape (residuals, free).
     chi_square, degrees
         Nuisances count as data.
     failed
@@ -42,7 +40,6 @@ class Found:
     names: tuple[str, ...]
     row: Numbers
     covariance: Numbers
-    jacobian: Numbers
     chi_square: float
     degrees: int
     failed: bool
@@ -119,7 +116,7 @@ def search(
     degrees = len(rest) - len(x)
     covariance = inverse(jacobian)
     return Found(
-        tuple(names), row, covariance, jacobian, float(rest @ rest), degrees,
+        tuple(names), row, covariance, float(rest @ rest), degrees,
         not ended or not np.isfinite(rest).all(),
     )  # fmt: skip
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from kugelpendel.parameters import Numbers
+from kugelpendel.tracks._scipy import running_integral
 from kugelpendel.tracks.fitting._intervals import correlations
 from kugelpendel.tracks.fitting._results import Wobble
 from kugelpendel.tracks.reduction import column
@@ -41,11 +42,11 @@ def wobble(ellipses: Any) -> Wobble | None:
     shares, sizes = [float("nan")] * 2, [float("nan")] * 2
     if turned > np.pi:
         bent = column(ellipses, "a") * column(ellipses, "b")
-        columns = [*line, _integral(time, bent / max(float(np.abs(bent).max()), 1e-300))]
+        columns = [*line, running_integral(time, bent / max(float(np.abs(bent).max()), 1e-300))]
         whole = float(np.sum(_least_squares(columns, azimuth, error)[1] ** 2))
         for k, order in enumerate((2, 4)):
             waves = np.cos(order * azimuth), np.sin(order * azimuth)
-            columns += [_integral(time, wave) for wave in waves]
+            columns += [running_integral(time, wave) for wave in waves]
             found, rest = _least_squares(columns, azimuth, error)
             shares[k] = 1.0 - float(rest @ rest) / whole
         sizes = [float(np.hypot(*found[3:5])), float(np.hypot(*found[5:7]))]
@@ -81,8 +82,3 @@ def _correlation(rest: Numbers, weights: Numbers) -> float:
     size = 2 * len(weights)
     alike = np.fft.irfft(np.abs(np.fft.rfft(weights, size)) ** 2, size)[: len(rho)]
     return float(np.sqrt(max(1.0 + 2.0 * np.sum(rho[1:] * alike[1:]) / alike[0], 1.0)))
-
-
-def _integral(time: Numbers, rate: Numbers) -> Numbers:
-    steps = 0.5 * (rate[1:] + rate[:-1]) * np.diff(time)
-    return np.concatenate([[0.0], np.cumsum(steps)])

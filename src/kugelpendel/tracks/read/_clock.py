@@ -12,7 +12,7 @@ import numpy as np
 from kugelpendel.errors import InvalidInput
 from kugelpendel.tracks._note import Note
 from kugelpendel.tracks.read._cells import Numbers
-from kugelpendel.tracks.read._columns import Column, parse_name, time_of
+from kugelpendel.tracks.read._columns import Column, time_of, unit_in
 
 _DAY = 86400.0
 _EPOCHS = ((1e17, 1e-9, "ns"), (1e14, 1e-6, "µs"), (1e11, 1e-3, "ms"), (1e8, 1.0, "s"))
@@ -92,7 +92,7 @@ def _by_number(time: Column, notes: list[Note]) -> Numbers:
             notes.append(Note.of("epoch", unit=symbol, start=f"{since:%Y-%m-%d %H:%M:%S} UTC"))
             return (values - first) * unit_size
     if size is None:
-        size, symbol = _guessed(finite, parse_name(time.name)[1])
+        size, symbol = _guessed(finite, unit_in(time.name))
         notes.append(Note.of("time_unit_assumed", unit=symbol, name=time.name or "1"))
     elif size != 1:
         notes.append(Note.of("time_unit", unit=time.unit, size=size))
@@ -181,8 +181,7 @@ def _offset(zone: str | None) -> float:
 
 @lru_cache(maxsize=1024)
 def _days(text: str, day_first: bool) -> float:
-    first, _, _ = text, None, None
-    parts = [int(part) for part in re.split(r"[-/.]", first)]
+    parts = [int(part) for part in re.split(r"[-/.]", text)]
     if parts[0] > 31:
         year, month, day = parts
     else:

@@ -127,13 +127,11 @@ class _Name:
     role: str
     unit: str
     body: str
-    is_acceleration: bool
 
 
-def parse_name(name: str, unit: str = "") -> tuple[str, str, str]:
-    """The role, the unit and the mass that the name of a column tells; "" for what it does not."""
-    found = _parsed(name, unit)
-    return found.role, found.unit, found.body
+def unit_in(name: str) -> str:
+    """The unit that the name of a column tells; "" for none."""
+    return _parsed(name, "").unit
 
 
 def _parsed(name: str, unit: str) -> _Name:
@@ -158,7 +156,7 @@ def _parsed(name: str, unit: str) -> _Name:
     ):
         unit = unit or words.pop()
     role, spare = _role(words)
-    return _Name(role, unit, " ".join(spare), bool(_SENSOR.search(name)))
+    return _Name(role, unit, " ".join(spare))
 
 
 def _role(words: Sequence[str]) -> tuple[str, list[str]]:

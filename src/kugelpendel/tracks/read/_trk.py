@@ -16,12 +16,6 @@ from kugelpendel.tracks.read._sheet import Column, Sheet
 _MASS = "PointMass"
 
 
-def is_project(text: str) -> bool:
-    """Say whether a text is such a project."""
-    start = text.lstrip("\ufeff \t\r\n")[:4000]
-    return start.startswith("<") and ("opensourcephysics" in start or start.startswith("<?xml"))
-
-
 def read_project(content: bytes, file: str) -> Sheet:
     """The masses of a project in its own axes: x and y in m, y upward, and the time in s.
 
