@@ -28,6 +28,8 @@ from kugelpendel.spelling import spell, spell_rate
 from kugelpendel.tracks.read import Appended, Place
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     import xarray as xr
 
     from kugelpendel.cli.fit.asked import Asked
@@ -133,9 +135,8 @@ class _Window:
     _period: float = math.nan
     _tried: int = 0
 
-    def add(self, track: kp.tracks.Track) -> list[Swing]:
-        """Take more points, and tell the swings that they complete."""
-        found: list[Swing] = []
+    def add(self, track: kp.tracks.Track) -> Iterator[Swing]:
+        """Take more points, and tell each swing as soon as they complete it."""
         new = np.column_stack((track.x, track.y))
         # As much as makes a swing at once: of a long file all windows are told, one after another.
         at = 0
@@ -149,8 +150,7 @@ class _Window:
             self._time = np.concatenate((self._time, track.time[at : at + step]))
             self._places = np.concatenate((self._places, new[at : at + step]))
             at += step
-            found += self._told(track.unit)
-        return found
+            yield from self._told(track.unit)
 
     def _told(self, unit: str) -> list[Swing]:
         if not self._is_due():
