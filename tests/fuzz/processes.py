@@ -50,11 +50,11 @@ def process_fault(command: str, data: bytes, encoding: str) -> str | None:
         except subprocess.TimeoutExpired:
             process.send_signal(signal.SIGINT)
             try:
-                _, said = process.communicate(timeout=30)
+                _, said = process.communicate(timeout=10)
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.communicate()
-                return "Ctrl-C was not obeyed within half a minute"
+                return "Ctrl-C was not obeyed within ten seconds"
             return None if said.strip() else "nothing said for a minute"
         shown, told = (text.decode(encoding, errors="replace") for text in (printed, said))
         return verdict(process.returncode, shown, told, out)

@@ -52,7 +52,7 @@ def test_numbers_have_fifty_digits_and_give_the_rest() -> None:
     assert float(first.rest) < 1e-50
 
 
-def test_a_mutant_leaves_something(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_mutant_leaves_something() -> None:
     one, relation = paper.formula("25"), paper.right("25")
     doubled = next(m for m in mutants(one, relation) if m.change.startswith("factor"))
     found = [trial.holds for trial in one.proof.trials(doubled.relation)]

@@ -13,6 +13,7 @@ from kugelpendel.paper.checks.run import says_the_same, verdict
 from kugelpendel.paper.derivation.graph import premises
 
 LABELS = [formula.label for formula in paper.FORMULAS]
+OURS = {formula.label for formula in paper.FORMULAS if formula.is_ours}
 
 
 @pytest.mark.parametrize("label", LABELS)
@@ -23,9 +24,9 @@ def test_no_mutant_survives(label: str) -> None:
     assert row.survivors == ()
     assert row.faults == ()
     assert row.killed >= 2
-    # equal ones are few: the whole equation negated or doubled, sin² + cos² written as 1, or a
-    # factor changed that stands before all of what is zero
-    assert row.equal <= 4
+    # equal ones are few: the whole equation negated or doubled, or sin² + cos² written as 1; in a
+    # chapter of ours also a factor changed that stands before all of what is zero
+    assert row.equal <= (4 if label in OURS else 2)
     assert row.holds
 
 

@@ -84,7 +84,8 @@ def write_page(
     language
         "de" or "en".
     out
-        The file; None writes to ``derivation.LANGUAGE.html``.
+        The file; None writes to ``derivation.LANGUAGE.html``, with the target in the name where
+        there is one.
     rows
         What a check found for each formula; None where none has been made.
     """

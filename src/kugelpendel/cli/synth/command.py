@@ -62,7 +62,7 @@ def synth(options: argparse.Namespace) -> int:
 
 
 def _lines(track: kp.tracks.Track) -> Iterator[str]:
-    """The track as CSV: times to the microsecond, positions to a millionth of their reach."""
+    """The track as CSV: times to the microsecond, positions to 0.1 µm, or whole pixels."""
     yield f"time (s),x ({track.unit}),y ({track.unit})\n"
     form = "{:.6f},{:.0f},{:.0f}\n" if track.unit == "px" else "{:.6f},{:.7f},{:.7f}\n"
     for row in zip(track.time, track.x, track.y, strict=True):

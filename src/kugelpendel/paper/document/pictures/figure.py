@@ -14,8 +14,6 @@ if TYPE_CHECKING:
 
     from kugelpendel.paper.document.wording import Words
 
-PICTURES = ("geometry", "ellipse", "path", "sizes")
-
 
 def figure(key: str, words: Words, say: Callable[[str], str]) -> str:
     """Write a ``figure`` element.
@@ -23,7 +21,7 @@ def figure(key: str, words: Words, say: Callable[[str], str]) -> str:
     Parameters
     ----------
     key
-        One of `PICTURES`.
+        "geometry", "ellipse", "path" or "sizes".
     words
         The wording, in whose language the picture is labelled and described.
     say
