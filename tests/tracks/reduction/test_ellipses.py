@@ -7,6 +7,7 @@ import pytest
 from studies.pendulums import level, pendulum, shape
 
 import kugelpendel as kp
+from kugelpendel.tracks.reduction import _ellipses
 
 CASE = pendulum(1)
 TRACK = kp.tracks.synthesise(CASE.motion, 900.0, 10.0, noise=CASE.noise, jitter=0.2, seed=1)
@@ -143,3 +144,25 @@ def test_residuals_and_their_spectrum() -> None:
     near = np.abs(np.abs(rest["angular_frequency"]) / rest.attrs["swing_frequency"] - 0.7) < 0.1
     seen, line = rest["spectrum"].values[near], rest["spectrum_model"].values[near]
     assert seen.mean() == pytest.approx(line.mean(), rel=0.2)
+
+
+def test_a_track_is_taken_apart_once_for_ellipses_and_residuals(monkeypatch):
+    track = kp.tracks.Track(TRACK.time, TRACK.x, TRACK.y)
+    taken = []
+    reduce = _ellipses._reduce
+    monkeypatch.setattr(
+        _ellipses, "_reduce", lambda *given: taken.append(given[1]) or reduce(*given)
+    )
+    first, rest = kp.tracks.ellipses(track), kp.tracks.residuals(track)
+    assert taken == [8.0]
+    # what was handed out belongs to whoever asked
+    spoilt = kp.tracks.ellipses(track)
+    for name in ("a", "spread", "points"):
+        spoilt[name].values[:] = 0
+    kp.tracks.residuals(track).kept.values[:] = False
+    assert kp.tracks.ellipses(track).identical(first)
+    assert kp.tracks.residuals(track).identical(rest)
+    # other windows are another reduction
+    wide = kp.tracks.ellipses(track, swings=12.0)
+    assert taken == [8.0, 12.0]
+    assert wide.sizes["time"] < first.sizes["time"]
