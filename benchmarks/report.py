@@ -9,20 +9,24 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-PACKAGES = ("kugelpendel", "numpy", "scipy", "heyoka", "mujoco", "python-flint")
+PACKAGES = ("kugelpendel", "numpy", "scipy", "pandas", "heyoka", "mujoco", "python-flint")
 
 
 @dataclass(frozen=True)
 class Ratio:
-    """``value`` must be at most (or at least) ``limit``; without a limit nothing is required."""
+    """``value`` must be at most (or at least) ``limit``; without a limit nothing is required.
+
+    ``ours`` and ``peers`` are seconds, unless ``unit`` says something else.
+    """
 
     work: str
     peer: str
-    ours_seconds: float
-    peer_seconds: float
+    ours: float
+    peers: float
     value: float
     limit: float | None = None
     at_least: bool = False
+    unit: str = "s"
 
     @property
     def met(self) -> bool | None:
@@ -34,10 +38,14 @@ class Ratio:
         bound = "-"
         if self.limit is not None:
             bound = ("≥ " if self.at_least else "≤ ") + f"{self.limit:g}"
-        sense = "faster" if self.at_least else "of its time"
+        is_time = self.unit == "s"
+        sense = "faster" if self.at_least else "of its time" if is_time else "of it"
         verdict = {True: "yes", False: "NO", None: "-"}[self.met]
-        times = duration(self.ours_seconds), duration(self.peer_seconds)
-        return (self.work, *times, self.peer, f"{self.value:.3g} × {sense}", bound, verdict)
+        sizes = (
+            duration(size) if is_time else f"{size:.3g} {self.unit}"
+            for size in (self.ours, self.peers)
+        )
+        return (self.work, *sizes, self.peer, f"{self.value:.3g} × {sense}", bound, verdict)
 
 
 RATIO_HEAD = ("work", "ours", "peer's", "peer", "ratio", "required", "met")
