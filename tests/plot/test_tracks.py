@@ -20,9 +20,10 @@ def track() -> kp.tracks.Track:
 @pytest.mark.parametrize("language", ["en", "de"])
 def test_every_figure(track: kp.tracks.Track, language: Language) -> None:
     ellipses = kp.tracks.ellipses(track)
-    model = kp.tracks.fit(ellipses).headline
+    fit = kp.tracks.fit(ellipses)
+    model = fit.headline
     residuals = kp.tracks.residuals(track)
-    profile = kp.tracks.profile(ellipses)
+    profile = kp.tracks.profile(fit)
     frequency = math.sqrt(9.80665)
     figures = [
         plot.tracks.seen(track, ellipses, language=language),

@@ -12,7 +12,7 @@ import kugelpendel as kp
 from kugelpendel.errors import KugelpendelError
 from kugelpendel.errors._sentences import read
 
-PREFIXES = ("table_", "synth_", "fit_", "plan_")
+PREFIXES = ("columns_", "table_", "synth_", "fit_", "plan_")
 """The kinds of sentences that are asked here; those of reading are asked in tests/tracks/read."""
 
 T = np.arange(0.0, 120.0, 0.1)
@@ -74,8 +74,9 @@ REFUSED: dict[str, Callable[[], Any]] = {
     ),
     "track_circle": lambda: ellipses(T, swing(T, b=0.1) + 1e-3 * noise(len(T))),
     "table_rows": lambda: kp.tracks.tabulated([0.0, 1.0], [1.0, 1.0], [0.1, 0.1], [0.0, 0.0]),
-    "table_finite": lambda: kp.tracks.tabulated(ROWS[0], ROWS[1] * math.nan, *ROWS[2:]),
-    "table_ascending": lambda: kp.tracks.tabulated(-ROWS[0], *ROWS[1:]),
+    "columns_shape": lambda: kp.tracks.tabulated(ROWS[0], ROWS[1][:5], *ROWS[2:]),
+    "columns_finite": lambda: kp.tracks.tabulated(ROWS[0], ROWS[1] * math.nan, *ROWS[2:]),
+    "columns_ascending": lambda: kp.tracks.tabulated(-ROWS[0], *ROWS[1:]),
     "synth_share": lambda: synth(jitter=0.7),
     "synth_positive": lambda: synth(duration=-1.0),
     "synth_single": lambda: kp.tracks.synthesise(
@@ -88,7 +89,7 @@ REFUSED: dict[str, Callable[[], Any]] = {
     "fit_plane": plane,
     "fit_table_length": lambda: kp.tracks.fit(kp.tracks.tabulated(*ROWS)),
     "fit_length": lambda: fit(length=0.5),
-    "fit_parameter": lambda: kp.tracks.profile(ellipses(T, swing(T)), "mass"),
+    "fit_parameter": lambda: kp.tracks.profile(fit(models=()), "mass", model="narrow"),
     "fit_model": lambda: fit(models=("best",)),
     "plan_ellipse": lambda: plan(b=0.0),
 }

@@ -20,9 +20,9 @@ def test_keeps_what_it_is_given_and_cannot_be_changed():
 @pytest.mark.parametrize(
     ("time", "x", "said"),
     [
-        ([0.0, 1.0], [0.0], r"one x to each time .* \(1,\) and \(2,\)"),
-        ([0.0, 1.0], [0.0, math.nan], "x of point 1 is nan"),
-        ([0.0, 0.0], [0.0, 1.0], "after 0.0 s comes 0.0 s"),
+        ([0.0, 1.0], [0.0], r"x has the shape \(1,\), and the times have \(2,\)"),
+        ([0.0, 1.0], [0.0, math.nan], r"x\[1\] is NaN"),
+        ([0.0, 0.0], [0.0, 1.0], "after 0 s comes 0 s"),
         ([[0.0]], [[0.0]], "flat array"),
     ],
 )
@@ -33,9 +33,11 @@ def test_refuses_what_is_no_track(time, x, said):
 
 def test_refuses_what_is_no_table_of_ellipses():
     one = np.ones(2)
-    with pytest.raises(kp.InvalidInput, match=r"b of ellipse 1 is inf; leave out what was not"):
+    with pytest.raises(kp.InvalidInput, match=r"b\[1\] is inf; leave out what was not"):
         kp.tracks.EllipseTable(np.arange(2.0), one, np.array([0.0, math.inf]), one)
-    with pytest.raises(kp.InvalidInput, match=r"table of ellipses ascend.*keep one row"):
+    with pytest.raises(kp.InvalidInput, match=r"times of a recording ascend.*keep one row"):
         kp.tracks.EllipseTable(one, one, one, one)
-    with pytest.raises(kp.InvalidInput, match=r"table of ellipses has one azimuth"):
+    with pytest.raises(
+        kp.InvalidInput, match=r"azimuth has the shape \(3,\), and the times have \(2,\)"
+    ):
         kp.tracks.EllipseTable(np.arange(2.0), one, one, np.ones(3))

@@ -15,9 +15,7 @@ class _Timed(Protocol):
     def time(self) -> Numbers: ...
 
 
-def keep_columns(
-    recording: _Timed, *names: str, whole: str, point: str, row: str, unseen: str
-) -> None:
+def keep_columns(recording: _Timed, *names: str) -> None:
     """Check the columns of a recording, and keep copies of them that cannot be changed.
 
     Parameters
@@ -26,10 +24,6 @@ def keep_columns(
         A frozen dataclass that has been given them.
     names
         Those beside `time`.
-    whole, point, row
-        What the recording, what belongs to one time, and a line of it are called.
-    unseen
-        What may be left out.
 
     Raises
     ------
@@ -41,20 +35,18 @@ def keep_columns(
     for name in ("time", *names):
         values = np.array(getattr(recording, name), dtype=float)
         if values.ndim != 1 or values.shape != shape:
-            raise InvalidInput(
-                f"A {whole} has one {name} to each time in a flat array, but the shapes are "
-                f"{values.shape} and {shape}; leave out what belongs to no time."
+            raise InvalidInput.of(
+                "columns_shape", what=name, seen=str(values.shape), times=str(shape)
             )
         if not np.isfinite(values).all():
             where = int(np.flatnonzero(~np.isfinite(values))[0])
-            raise InvalidInput(f"{name} of {point} {where} is {values[where]}; leave out {unseen}.")
+            seen = float(values[where])
+            raise InvalidInput.of("columns_finite", what=name, row=where, seen=seen)
         values.flags.writeable = False
         object.__setattr__(recording, name, values)
     time = recording.time
     steps = np.diff(time)
     if (steps <= 0).any():
         where = int(np.argmax(steps <= 0))
-        raise InvalidInput(
-            f"The times of a {whole} ascend, but after {time[where]} s comes "
-            f"{time[where + 1]} s; sort them and keep one {row} of each time."
-        )
+        before, after = (float(time[where + k]) for k in (0, 1))
+        raise InvalidInput.of("columns_ascending", before=(before, "s"), after=(after, "s"))

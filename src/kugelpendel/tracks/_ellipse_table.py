@@ -47,10 +47,7 @@ class EllipseTable:
     """No phone writes tables of ellipses."""
 
     def __post_init__(self) -> None:
-        keep_columns(
-            self, "a", "b", "azimuth", whole="table of ellipses", point="ellipse", row="row",
-            unseen="what was not measured",
-        )  # fmt: skip
+        keep_columns(self, "a", "b", "azimuth")
 
     def __len__(self) -> int:
         return len(self.time)

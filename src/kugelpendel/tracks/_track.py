@@ -45,10 +45,7 @@ class Track:
     axes: Literal["room", "phone"] = "room"
 
     def __post_init__(self) -> None:
-        keep_columns(
-            self, "x", "y", whole="track", point="point", row="point",
-            unseen="points that were not seen",
-        )  # fmt: skip
+        keep_columns(self, "x", "y")
 
     def __len__(self) -> int:
         return len(self.time)

@@ -154,7 +154,7 @@ def test_a_motion_that_the_model_has_not_is_a_misfit() -> None:
 
 def test_profiles_are_the_intervals() -> None:
     for model, name in (("narrow", "rotation"), ("headline", "linear")):
-        found = kp.tracks.profile(ELLIPSES, name, model=model, points=9, gravity=9.81)
+        found = kp.tracks.profile(FIT, name, model=model, points=9)
         estimate = FIT.models[model].parameters[name]
         assert found.closes
         width = estimate.high - estimate.low

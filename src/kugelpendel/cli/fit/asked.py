@@ -77,7 +77,7 @@ def read_options(options: argparse.Namespace) -> Asked:
         latitude,
         share(options, "damping_unevenness"),
         share(options, "tilt"),
-        number(options, "swings", least=2.999) or 8.0,
+        number_of(options.swings, "--swings", least=2.999),
         known_language(options.lang),
     )
 
@@ -85,13 +85,16 @@ def read_options(options: argparse.Namespace) -> Asked:
 def quantity(options: argparse.Namespace, name: str, kind: Kind) -> float | None:
     """An option that is a quantity: a number in SI, or a number with a unit; None if not given."""
     text = getattr(options, name)
-    if text is None:
-        return None
+    return None if text is None else quantity_of(text, kind, _option(name))
+
+
+def quantity_of(text: str, kind: Kind, option: str) -> float:
+    """What is written after an option: a number in SI, or a number with a unit."""
     try:
         value: object = float(text)
     except ValueError:
-        value = text
-    return read_quantity(value, kind, _option(name))
+        value = text.strip()
+    return read_quantity(value, kind, option)
 
 
 def needed(options: argparse.Namespace, name: str, kind: Kind, example: str) -> float:
@@ -112,13 +115,16 @@ def half_life(options: argparse.Namespace) -> float | None:
 
 
 def number(options: argparse.Namespace, name: str, *, least: float) -> float | None:
-    """An option that is a plain number above some least one."""
+    """An option that is a plain number above some least one; None if not given."""
     text = getattr(options, name)
-    if text is None:
-        return None
+    return None if text is None else number_of(text, _option(name), least=least)
+
+
+def number_of(text: str, option: str, *, least: float) -> float:
+    """What is written after an option: a plain number above some least one."""
     value = _float(text)
     if value is None or not least < value < float("inf"):
-        raise InvalidInput(f"{_option(name)} is {text!r}; write a number above {least:.3g}.")
+        raise InvalidInput(f"{option} is {text!r}; write a number above {least:.3g}.")
     return value
 
 

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import kugelpendel as kp
 from kugelpendel import plot
@@ -133,22 +133,23 @@ def _found(file: Path, asked: Asked, parts: dict[str, _Part]) -> tuple[Findings,
         ellipses = ellipses_of(track, asked.swings, advance)
     is_phone = track.axes == "phone"
     with parts["fit"].counted() as advance:
-        given: dict[str, Any] = {
-            "length": asked.length,
-            "gravity": asked.gravity,
-            "latitude": asked.latitude,
-            "damping_unevenness": asked.unevenness,
-            "tilt": asked.tilt,
-        }
         fitted = profile = why_not = None
         try:
-            fitted = kp.tracks.fit(ellipses, **given, progress=advance)
+            fitted = kp.tracks.fit(
+                ellipses,
+                length=asked.length,
+                gravity=asked.gravity,
+                latitude=asked.latitude,
+                damping_unevenness=asked.unevenness,
+                tilt=asked.tilt,
+                progress=advance,
+            )
         except kp.InvalidInput as error:
             if error.kind not in _TOO_LITTLE:
                 raise
             why_not = error
         if fitted is not None and "headline" in fitted.models and not is_phone:
-            profile = kp.tracks.profile(ellipses, **given)
+            profile = kp.tracks.profile(fitted)
     found = Findings(
         file.name,
         track,

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any, TextIO
 import numpy as np
 
 import kugelpendel as kp
+from kugelpendel.cli.fit.numbers import Shown
 from kugelpendel.cli.fit.words import words
 from kugelpendel.cli.output import write_file
 from kugelpendel.cli.terminal.interrupted import Interrupted
@@ -328,11 +329,5 @@ def _print(swing: Swing, language: Language) -> None:
 
 
 def _with_error(value: float, error: float, unit: str, language: Language) -> str:
-    from kugelpendel.cli.fit.numbers import Shown
-
     shown = Shown.of("", unit, value, language)
-    return (
-        f"{shown.pair(value, error)} {shown.symbol}"
-        if unit != "°"
-        else f"{shown.pair(value, error)}°"
-    )
+    return shown.with_unit(shown.pair(value, error))

@@ -6,10 +6,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import kugelpendel as kp
-from kugelpendel.cli.fit.asked import number, quantity, share
+from kugelpendel.cli.fit.asked import number_of, quantity, quantity_of, share
 from kugelpendel.cli.job_file.job import read_job
 from kugelpendel.cli.job_file.kinds import ANGLE, LENGTH, TIME
-from kugelpendel.cli.job_file.quantity import read_quantity
 from kugelpendel.cli.output import write_file
 from kugelpendel.cli.terminal.streams import write_bytes
 from kugelpendel.spelling import grouped, spell
@@ -32,21 +31,21 @@ def synth(options: argparse.Namespace) -> int:
     """
     job = read_job(options.file)
     duration = quantity(options, "duration", TIME)
-    rate = number(options, "rate", least=0.0) or 30.0
+    rate = number_of(options.rate, "--rate", least=0.0)
     with job.document.named():
         motion = kp.RealMotion(job.pendulum, job.launch, job.forces)
     track = kp.tracks.synthesise(
         motion,
         job.grid.duration if duration is None else duration,
         rate,
-        noise=quantity(options, "noise", LENGTH) or 0.0,
+        noise=quantity_of(options.noise, LENGTH, "--noise"),
         colour=_colour(options.colour),
-        noise_ratio=number(options, "noise_ratio", least=0.0) or 1.0,
+        noise_ratio=number_of(options.noise_ratio, "--noise-ratio", least=0.0),
         jitter=share(options, "jitter"),
         gaps=[_gap(text) for text in options.gap],
         outliers=share(options, "outliers"),
         tilt=share(options, "tilt"),
-        tilt_axis=quantity(options, "tilt_axis", ANGLE) or 0.0,
+        tilt_axis=quantity_of(options.tilt_axis, ANGLE, "--tilt-axis"),
         pixel=quantity(options, "pixel", LENGTH),
         seed=_seed(options.seed),
     )
@@ -85,16 +84,8 @@ def _gap(text: str) -> tuple[float, float]:
     parts = text.split(",")
     if len(parts) != 2:
         raise kp.InvalidInput(f'--gap is {text!r}; write its start and its length, as "60 s,5 s".')
-    start, length = (_time(part) for part in parts)
+    start, length = (quantity_of(part, TIME, "--gap") for part in parts)
     return start, length
-
-
-def _time(text: str) -> float:
-    try:
-        value: object = float(text)
-    except ValueError:
-        value = text.strip()
-    return read_quantity(value, TIME, "--gap")
 
 
 def _seed(text: str) -> int:

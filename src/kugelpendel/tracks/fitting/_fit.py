@@ -94,12 +94,15 @@ def fit(
     ellipses, measured = problem.ellipses, problem.measured
     judge = Judge(measured, problem.scale, ellipses, problem.scaled)
     narrow = problem.narrow()
-    fitted = {"narrow": judge.model("narrow", narrow, ())}
+    minima = {"narrow": narrow}
     for done, name in enumerate(problem.free):
-        if name in models and name not in fitted:
-            found = problem.solved(name, narrow.row)
-            fitted[name] = judge.model(name, found, tuple(problem.stated(name)))
+        if name in models and name not in minima:
+            minima[name] = problem.solved(name, narrow.row)
         tell(0.3 + 0.7 * (done + 1) / len(problem.free))
+    fitted = {
+        name: judge.model(name, found, tuple(problem.stated(name)))
+        for name, found in minima.items()
+    }
     for name in ("measured", "measured_anisotropy"):
         if name in models:
             fitted[name] = azimuth_alone(name, measured, judge, name != "measured")
@@ -117,6 +120,8 @@ def fit(
         wobble=wobble(ellipses),
         stiffening=stiffening(fitted.get("measured"), period) if problem.scaled else None,
         planar=bool(ellipses.attrs["planar"]),
+        problem=problem,
+        minima=minima,
     )
 
 

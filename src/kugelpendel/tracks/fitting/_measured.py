@@ -12,9 +12,10 @@ from kugelpendel.motion import EnvelopeMotion, ExactMotion
 from kugelpendel.parameters import Launch, Numbers, Pendulum, Suspension
 from kugelpendel.tracks._scipy import running_integral
 from kugelpendel.tracks.fitting._intervals import NOTHING, Judge
+from kugelpendel.tracks.fitting._linear import linear
 from kugelpendel.tracks.fitting._model import IDEAL, SHAPE, Measured
 from kugelpendel.tracks.fitting._results import FittedModel
-from kugelpendel.tracks.fitting._search import correlation, inverse
+from kugelpendel.tracks.fitting._search import correlation
 
 _UNEVEN = 1e-6
 """δ/ω0 at which its share of the rate is read off: small, as the share is linear in it."""
@@ -43,26 +44,21 @@ def azimuth_alone(
         each: _integrated(time, rate) for each, rate in rates.items()
     }
     error = np.sqrt(np.linalg.inv(measured.whitening.swapaxes(1, 2) @ measured.whitening)[:, 2, 2])
-    design = np.stack(list(columns.values()), axis=1) / error[:, None]
     azimuth = measured.values[:, 2]
-    found, *_ = np.linalg.lstsq(design, azimuth / error, rcond=None)
-    white = azimuth / error - design @ found
-    covariance = inverse(design)
-    degrees = max(len(time) - len(found), 1)
-    chi_square = float(white @ white)
-    misfit = np.sqrt(max(chi_square / degrees, 1.0))
-    factor = max(judge.widened(white[None], chi_square, degrees), misfit)
-    t = judge.quantile(degrees)
-    stderr = factor * np.sqrt(np.diag(covariance))
+    line = linear(list(columns.values()), azimuth, error)
+    widened = judge.widened(line.rest[None], line.chi_square, line.degrees)
+    factor = max(widened, float(np.sqrt(line.ratio)))
+    t = judge.quantile(line.degrees)
+    stderr = factor * np.sqrt(np.diag(line.covariance))
     parameters = {
         each: judge.estimated(each, float(value), float(error_), t)
-        for each, value, error_ in zip(columns, found, stderr, strict=True)
+        for each, value, error_ in zip(columns, line.found, stderr, strict=True)
     }
     nothing = np.full(len(time), NOTHING)
     return FittedModel(
-        name, parameters, correlation(covariance), chi_square, degrees,
-        not np.isfinite(found).all(), judge.time, nothing, nothing, design @ found * error,
-        nothing, nothing, white * error,
+        name, parameters, correlation(line.covariance), line.chi_square, line.degrees,
+        not np.isfinite(line.found).all(), judge.time, nothing, nothing,
+        azimuth - line.rest * error, nothing, nothing, line.rest * error,
     )  # fmt: skip
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -11,7 +12,8 @@ from kugelpendel.parameters import Numbers
 from kugelpendel.tracks._scipy import spline
 
 SHAPE = ("a", "b", "azimuth")
-FORCES = ("rotation", "linear", "quadratic", "anisotropy_cos", "anisotropy_sin")
+ANISOTROPY = ("anisotropy_cos", "anisotropy_sin")
+FORCES = ("rotation", "linear", "quadratic", *ANISOTROPY)
 DAMPING = ("damping_anisotropy_cos", "damping_anisotropy_sin")
 TILT = ("tilt_cos", "tilt_sin")
 INTRINSIC = "intrinsic"
@@ -76,12 +78,14 @@ class Measured:
         what makes the model swing with the measured ω at t0. With Θ' of docs/conventions.md,
         ω0 = ω + ω0(a² + b²)/16l² and what the suspension adds; three rounds suffice.
         """
-        a, b, azimuth = rows[..., :3].T
-        share = rows[..., 6] * np.cos(2 * azimuth) + rows[..., 7] * np.sin(2 * azimuth)
-        lost = rows[..., 8] * np.sin(2 * azimuth) - rows[..., 9] * np.cos(2 * azimuth)
+        a, b, azimuth = _columns(rows, SHAPE)
+        cos, sin = _columns(rows, ANISOTROPY)
+        lost_cos, lost_sin = _columns(rows, DAMPING)
+        share = cos * np.cos(2 * azimuth) + sin * np.sin(2 * azimuth)
+        lost = lost_cos * np.sin(2 * azimuth) - lost_sin * np.cos(2 * azimuth)
         apart = np.maximum(a**2 - b**2, 1e-12 * a**2)
         added = 0.5 * (a**2 + b**2) / apart * share - a * b / apart * lost
-        stiff = 0.5 * np.hypot(rows[..., 6], rows[..., 7])
+        stiff = 0.5 * np.hypot(cos, sin)
         omega0 = np.full(len(rows), self.frequency)
         for _ in range(3):
             across = omega0 - stiff
@@ -98,7 +102,7 @@ class Measured:
         Parameters
         ----------
         rows
-            In the order of `ALL`, shape (sets, 13).
+            In the order of `ALL`, shape (sets, parameters).
 
         Returns
         -------
@@ -108,12 +112,16 @@ class Measured:
         radius for a, and as much less for b.
         """
         length, gravity, _ = self.pendulum(rows)
-        a, b, azimuth, turn, linear, quadratic = rows[:, :6].T
+        a, b, azimuth = _columns(rows, SHAPE)
+        turn, linear, quadratic, *_ = _columns(rows, FORCES)
         azimuth = azimuth - np.pi * np.rint(azimuth / np.pi)  # a record may turn many times
-        stiff, lossy, tilt = (rows[:, k] + 1j * rows[:, k + 1] for k in (6, 8, 10))
+        stiff, lossy, tilt = (
+            cos + 1j * sin for cos, sin in (_columns(rows, q) for q in (ANISOTROPY, DAMPING, TILT))
+        )
+        (intrinsic,) = _columns(rows, (INTRINSIC,))
         columns = (
             length, gravity, a, b, azimuth, linear, quadratic, turn, np.abs(stiff),
-            np.angle(stiff) / 2, np.abs(lossy), np.angle(lossy) / 2, rows[:, 12] / IDEAL,
+            np.angle(stiff) / 2, np.abs(lossy), np.angle(lossy) / 2, intrinsic / IDEAL,
         )  # fmt: skip
         times, back = np.unique(self.nodes, return_inverse=True)
         columns = [np.ascontiguousarray(column) for column in columns]
@@ -176,3 +184,8 @@ class Measured:
         rate = 1e-4 / whole
         forces = (rate, rate, 4 * rate / (omega * size), rate, rate)
         return np.array([*shape, *forces, rate, rate, 1e-5, 1e-5, 1e-5])
+
+
+def _columns(rows: Numbers, names: Sequence[str]) -> list[Numbers]:
+    """The parameters of these names, of every set."""
+    return [rows[..., _PLACE[name]] for name in names]

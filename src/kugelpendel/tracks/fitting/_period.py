@@ -6,12 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from kugelpendel.parameters import Numbers
 from kugelpendel.tracks._scipy import student
 from kugelpendel.tracks.fitting._intervals import undetermined
+from kugelpendel.tracks.fitting._linear import Line, linear
 from kugelpendel.tracks.fitting._model import IDEAL, INTRINSIC
 from kugelpendel.tracks.fitting._results import Estimate, FittedModel, PeriodTable, Stiffening
-from kugelpendel.tracks.fitting._search import inverse
 from kugelpendel.tracks.reduction import column
 
 THEORY = -1 / 16
@@ -41,19 +40,17 @@ def period_table(ellipses: Any, length: float, scaled: bool) -> PeriodTable | No
     logs = np.log(frequency)
     ones = np.ones_like(time)
     fits = {
-        "theory": _line(logs - THEORY * size, [ones], error),
-        "drift": _line(logs - THEORY * size, [ones, time], error),
-        "slope": _line(logs, [ones, size], error) if scaled else None,
-        "both": _line(logs, [ones, size, time], error) if scaled else None,
+        "theory": linear([ones], logs - THEORY * size, error),
+        "drift": linear([ones, time], logs - THEORY * size, error),
+        "slope": linear([ones, size], logs, error) if scaled else None,
+        "both": linear([ones, size, time], logs, error) if scaled else None,
     }
-    nothing = undetermined("", "scale"), undetermined("1/s", "scale")
-    one = fits["slope"], fits["both"]
     return PeriodTable(
-        slope=_told(one[0], 1, "") if one[0] else nothing[0],
+        slope=_told(fits["slope"], 1, ""),
         theory=THEORY,
         drift=_told(fits["drift"], 1, "1/s"),
-        both=(_told(one[1], 1, ""), _told(one[1], 2, "1/s")) if one[1] else nothing,
-        chi_square={name: one[2] for name, one in fits.items() if one},
+        both=(_told(fits["both"], 1, ""), _told(fits["both"], 2, "1/s")),
+        chi_square={name: one.chi_square for name, one in fits.items() if one},
         degrees=len(time) - 2,
     )
 
@@ -80,23 +77,13 @@ def stiffening(model: FittedModel | None, period: PeriodTable | None) -> Stiffen
     )
 
 
-def _line(
-    values: Numbers, columns: list[Numbers], error: Numbers
-) -> tuple[Numbers, Numbers, float, int]:
-    """Coefficients, their covariance, χ² and degrees of freedom."""
-    design = np.stack(columns, axis=1) / error[:, None]
-    found = np.asarray(np.linalg.lstsq(design, values / error, rcond=None)[0], dtype=float)
-    rest = values / error - design @ found
-    return found, inverse(design), float(rest @ rest), max(len(values) - len(found), 1)
-
-
-def _told(line: tuple[Numbers, Numbers, float, int] | None, index: int, unit: str) -> Estimate:
-    assert line is not None
-    found, covariance, chi_square, degrees = line
-    error = float(np.sqrt(covariance[index, index] * max(chi_square / degrees, 1.0)))
+def _told(line: Line | None, index: int, unit: str) -> Estimate:
+    if line is None:
+        return undetermined(unit, "scale")
+    error = float(np.sqrt(line.covariance[index, index] * line.ratio))
     if not np.isfinite(error):
         return undetermined(unit, "wide")
-    value, t = float(found[index]), student(degrees)
+    value, t = float(line.found[index]), student(line.degrees)
     return Estimate(value, error, value - t * error, value + t * error, unit)
 
 

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from kugelpendel.errors import InvalidInput
 from kugelpendel.parameters import Numbers
 from kugelpendel.tracks.fitting._intervals import Judge
 from kugelpendel.tracks.fitting._model import ALL
-from kugelpendel.tracks.fitting._problem import problem_of, silent
-from kugelpendel.tracks.fitting._results import Profile
+from kugelpendel.tracks.fitting._results import Profile, TrackFit
 from kugelpendel.tracks.fitting._search import search
 
 _FAR = 3.5
@@ -19,27 +16,18 @@ _FAR = 3.5
 
 
 def profile(
-    ellipses: Any,
-    name: str = "rotation",
-    *,
-    model: str = "headline",
-    points: int = 15,
-    length: float | None = None,
-    gravity: float = 9.80665,
-    latitude: float | None = None,
-    damping_unevenness: float = 0.1,
-    tilt: float = 0.02,
+    fit: TrackFit, name: str = "rotation", *, model: str = "headline", points: int = 15
 ) -> Profile:
     """χ² as one parameter is held and all others are fitted: whether, and where, it closes.
 
     Parameters
     ----------
-    ellipses, length, gravity, latitude, damping_unevenness, tilt
-        As for `fit`.
+    fit
+        What `fit` found.
     name
         The parameter, in SI units; it must be free in the model.
     model
-        One of the models of the averaged motion.
+        One of the models of the averaged motion that were fitted.
     points
         How many values, three and a half standard errors to either side.
 
@@ -52,16 +40,14 @@ def profile(
     Raises
     ------
     InvalidInput
-        For an unknown model, a parameter that is not free in it, and as `fit`.
+        For a model that was not fitted, and a parameter that is not free in it.
     """
-    problem = problem_of(ellipses, length, gravity, latitude, damping_unevenness, tilt, silent)
-    if model not in problem.free:
-        raise InvalidInput.of("fit_model", seen=model, known=", ".join(problem.free))
+    if model not in fit.minima:
+        raise InvalidInput.of("fit_model", seen=model, known=", ".join(fit.minima))
+    problem, found = fit.problem, fit.minima[model]
     free = problem.free[model]
     if name not in free:
         raise InvalidInput.of("fit_parameter", seen=name, known=", ".join(free))
-    narrow = problem.narrow()
-    found = problem.solved(model, narrow.row)
     stderr = found.stderr(name)
     if found.failed or not np.isfinite(stderr):
         stderr = float(problem.measured.steps()[ALL.index(name)]) * 1e4

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Literal, TypeAlias
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from kugelpendel.errors import InvalidInput
 from kugelpendel.parameters import Numbers
+
+if TYPE_CHECKING:
+    from kugelpendel.tracks.fitting._problem import Problem
+    from kugelpendel.tracks.fitting._search import Found
 
 Verdict: TypeAlias = Literal["determined", "not determined", "nuisance"]
 Reason: TypeAlias = Literal["", "wide", "outside", "scale", "modulus", "failed"]
@@ -215,6 +219,9 @@ class TrackFit:
         As their classes say; None where a track does not have them.
     planar
         Whether b cannot be told from 0, so that the sense is not determined.
+    problem, minima
+        What was fitted, and what was found of each model of the averaged motion: where `profile`
+        begins.
     """
 
     time: float
@@ -228,6 +235,8 @@ class TrackFit:
     wobble: Wobble | None
     stiffening: Stiffening | None
     planar: bool
+    problem: Problem = field(repr=False)
+    minima: Mapping[str, Found] = field(repr=False)
 
     @property
     def headline(self) -> FittedModel:

@@ -9,6 +9,7 @@ import numpy as np
 from kugelpendel.parameters import Numbers
 from kugelpendel.tracks._scipy import running_integral
 from kugelpendel.tracks.fitting._intervals import correlations
+from kugelpendel.tracks.fitting._linear import linear
 from kugelpendel.tracks.fitting._results import Wobble
 from kugelpendel.tracks.reduction import column
 
@@ -34,8 +35,8 @@ def wobble(ellipses: Any) -> Wobble | None:
         return None
     apart = time - time.mean()
     line = [np.ones_like(time), apart]
-    found, rest = _least_squares(line, azimuth, error)
-    slope = float(found[1])
+    fitted = linear(line, azimuth, error)
+    slope, rest = float(fitted.found[1]), fitted.rest
     weights = apart / error**2
     naive = _slope_error(rest, apart, error)
     turned = float(np.ptp(azimuth))
@@ -43,27 +44,16 @@ def wobble(ellipses: Any) -> Wobble | None:
     if turned > np.pi:
         bent = column(ellipses, "a") * column(ellipses, "b")
         columns = [*line, running_integral(time, bent / max(float(np.abs(bent).max()), 1e-300))]
-        whole = float(np.sum(_least_squares(columns, azimuth, error)[1] ** 2))
+        whole = linear(columns, azimuth, error).chi_square
         for k, order in enumerate((2, 4)):
             waves = np.cos(order * azimuth), np.sin(order * azimuth)
             columns += [running_integral(time, wave) for wave in waves]
-            found, rest = _least_squares(columns, azimuth, error)
-            shares[k] = 1.0 - float(rest @ rest) / whole
+            fitted = linear(columns, azimuth, error)
+            shares[k] = 1.0 - fitted.chi_square / whole
+        rest, found = fitted.rest, fitted.found
         sizes = [float(np.hypot(*found[3:5])), float(np.hypot(*found[5:7]))]
     correlated = _slope_error(rest, apart, error) * _correlation(rest, weights)
     return Wobble(slope, max(correlated, naive), naive, turned, *shares, *sizes)
-
-
-def _least_squares(
-    columns: list[Numbers], values: Numbers, error: Numbers
-) -> tuple[Numbers, Numbers]:
-    """Coefficients, and the residuals in units of the errors."""
-    design = np.stack(columns, axis=1)
-    size = np.linalg.norm(design / error[:, None], axis=0) + 1e-300
-    solve: Any = np.linalg.lstsq
-    solved = solve(design / error[:, None] / size, values / error, rcond=None)[0]
-    found = np.asarray(solved, dtype=float)
-    return found / size, (values - design @ (found / size)) / error
 
 
 def _slope_error(rest: Numbers, apart: Numbers, error: Numbers) -> float:

@@ -11,7 +11,7 @@ from kugelpendel.errors import InvalidInput, require_extra
 from kugelpendel.tracks._ellipse_table import EllipseTable
 from kugelpendel.tracks._note import Note
 from kugelpendel.tracks._track import Track
-from kugelpendel.tracks.read import _clean, _clock, _phone, _trk
+from kugelpendel.tracks.read import _clean, _clock, _trk
 from kugelpendel.tracks.read._cells import Numbers
 from kugelpendel.tracks.read._columns import (
     ACCELERATIONS,
@@ -25,6 +25,7 @@ from kugelpendel.tracks.read._parquet import read_parquet
 from kugelpendel.tracks.read._rows import take_apart
 from kugelpendel.tracks.read._sheet import Column, Sheet
 from kugelpendel.tracks.read._text import decode
+from kugelpendel.tracks.reduction._carrier import first_guess, swing_frequency
 
 _LARGEST_IN_METRES = 30.0
 """Without a scale, Tracker's positions are pixels, and a picture has hundreds of them."""
@@ -208,7 +209,8 @@ def _of_accelerations(roles: Roles, time: Numbers, notes: list[Note], file: str)
     time, values, stale = _clean.without_stale(time, values, file)
     values = values * ACCELERATIONS.get(roles.columns["x"].unit.lower(), 1.0)
     require_extra("fit", "an export of accelerations", "scipy")
-    omega = _phone.swing_frequency(time, values)
+    z = values[:, 0] + 1j * values[:, 1]
+    omega = swing_frequency(time, z, first_guess(z))
     centred = values - values.mean(axis=0)
     places = -centred / omega**2
     told = [Note.of("phone", period=2 * np.pi / omega)]

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kugelpendel.errors import InvalidInput, require_extra
+from kugelpendel.tracks._ellipse_table import EllipseTable
 from kugelpendel.tracks.reduction._carrier import Array
 from kugelpendel.tracks.reduction._labelled import labelled
 
@@ -45,30 +46,28 @@ def tabulated(
         that are not finite.
     """
     require_extra("fit", "kugelpendel.tracks", "scipy", "xarray")
-    given = {"time": time, "a": a, "b": b, "azimuth": azimuth}
-    columns = {name: np.asarray(value, dtype=float) for name, value in given.items()}
-    count = len(np.ravel(columns["time"]))
-    for name, column in columns.items():
-        if column.shape != (count,) or count < _LEAST:
-            raise InvalidInput.of("table_rows", what=name, rows=float(column.size), least=_LEAST)
-        if not np.isfinite(column).all():
-            row = int(np.flatnonzero(~np.isfinite(column))[0])
-            raise InvalidInput.of("table_finite", what=name, seen=float(column[row]), row=row)
-    times = columns["time"]
-    if not (np.diff(times) > 0).all():
-        row = int(np.argmax(np.diff(times) <= 0))
-        seen = {"before": (float(times[row]), "s"), "after": (float(times[row + 1]), "s")}
-        raise InvalidInput.of("table_ascending", **seen)
-    columns["azimuth"] = np.unwrap(columns["azimuth"], period=np.pi)
+    table = EllipseTable(_array(time), _array(a), _array(b), _array(azimuth), unit)
+    count, times = len(table), table.time
+    if count < _LEAST:
+        raise InvalidInput.of("table_rows", rows=count, least=_LEAST)
+    columns = {
+        "a": table.a.copy(),
+        "b": table.b.copy(),
+        "azimuth": np.unwrap(table.azimuth, period=np.pi),
+    }
     covariance = np.full((count, 6, 6), np.nan)
-    for index, name in enumerate(("a", "b", "azimuth")):
+    for index, name in enumerate(columns):
         covariance[:, index, :3] = 0.0
         covariance[:, index, index] = _scatter(times, columns[name]) ** 2
     nothing = np.full(count, np.nan)
     values = {**columns, "frequency": nothing, "x0": nothing, "y0": nothing}
     attrs = {"unit": unit, "origin": "table", "points": count, "pieces": 1, "rejected": 0}
     zeros = np.zeros(count)
-    return labelled(times, values, covariance, attrs, zeros, np.ones(count, dtype=int))
+    return labelled(times.copy(), values, covariance, attrs, zeros, np.ones(count, dtype=int))
+
+
+def _array(values: ArrayLike) -> Array:
+    return np.asarray(values, dtype=float)
 
 
 def _scatter(time: Array, values: Array) -> float:
