@@ -1,5 +1,6 @@
 """What a proof has compared is shown as it was, and a false formula leaves something."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
@@ -10,13 +11,17 @@ from kugelpendel.paper.algebra.notation import read
 from kugelpendel.paper.algebra.writing import written
 from kugelpendel.paper.checks.mutants import mutants
 
+Examined = Callable[[str], paper.Row]
 LABELS = [formula.label for formula in paper.FORMULAS]
 
 
 @pytest.mark.parametrize("label", LABELS)
-def test_everything_compared_vanishes_and_is_shown(label: str) -> None:
-    found = paper.evidence(label)
+def test_everything_compared_vanishes_and_is_shown(label: str, examined: Examined) -> None:
+    row = examined(label)
+    found = row.evidence
+    assert found is not None
     assert found.holds
+    assert (found.symbolic, found.numeric) == (row.symbolic, row.numeric) == (True, True)
     assert found.residuals
     assert len(found.points) == 3
     assert all(float(point.rest) <= float(point.allowed) for point in found.points)
@@ -27,12 +32,14 @@ def test_everything_compared_vanishes_and_is_shown(label: str) -> None:
 
 
 @pytest.mark.parametrize("label", LABELS)
-def test_what_is_written_is_read_back(label: str) -> None:
+def test_what_is_written_is_read_back(label: str, examined: Examined) -> None:
     relation = paper.right(label)
     for side in (relation.lhs, relation.rhs):
         back = read(written(side)).lhs
         assert back == carry_out(side) or is_zero(back - carry_out(side))
-    for residual in paper.evidence(label).residuals:
+    found = examined(label).evidence
+    assert found is not None
+    for residual in found.residuals:
         read(residual.latex)
 
 
@@ -61,11 +68,20 @@ def test_a_mutant_leaves_something() -> None:
     assert not replace(paper.evidence("25"), residuals=(spoilt,)).holds
 
 
-def test_mutants_are_counted_and_examined_when_asked_for() -> None:
-    found = paper.evidence("25")
-    row = found.examined()
-    assert row.mutants == found.mutants() > 10
+def test_a_row_holds_the_evidence_and_counts_the_mutants(examined: Examined) -> None:
+    row = examined("25")
+    assert row.evidence == paper.evidence("25")
+    assert row.mutants == len(mutants(paper.formula("25"), paper.right("25"))) > 10
     assert row.holds
+
+
+def test_several_are_proved_in_their_order() -> None:
+    seen: list[tuple[int, int, str]] = []
+    found = paper.proved(["3", "2:x"], lambda *one: seen.append((*one[:2], one[2].label)))
+    assert [one.label for one in found] == ["3", "2:x"]
+    assert seen == [(1, 2, "3"), (2, 2, "2:x")]
+    with pytest.raises(paper.UnknownLabel):
+        paper.proved(["7"])
 
 
 def test_unknown_formula() -> None:

@@ -8,7 +8,7 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from kugelpendel.paper.checks.counterexample import counterexample
-from kugelpendel.paper.derivation.graph import FORMULAS, parts, rests_on
+from kugelpendel.paper.derivation.graph import FORMULAS, leading_to
 from kugelpendel.paper.derivation.misprints import MISPRINTS
 from kugelpendel.paper.derivation.model import PAPER
 from kugelpendel.paper.document import handout as handouts
@@ -23,10 +23,8 @@ if TYPE_CHECKING:
 
 def composed(language: str, target: str = "") -> Document:
     """Put together the derivation, or what leads to one formula or display, in a language."""
-    labels = [formula.label for formula in FORMULAS]
-    if target:
-        labels = [*rests_on(target), *(formula.label for formula in parts(target))]
-    return compose(Derivation(FORMULAS, MISPRINTS, _evidence), language, labels, target)
+    derivation = Derivation(FORMULAS, MISPRINTS, _evidence)
+    return compose(derivation, language, leading_to(target), target)
 
 
 def write(

@@ -226,13 +226,13 @@ def test_a_check_writes_its_verdicts_into_the_page(call: Any, tmp_path: Path) ->
 def test_a_page_does_not_call_proved_what_fails(
     call: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def wrong(label: str) -> paper.Evidence:
-        (residual,) = found(label).residuals[:1]
-        broken = replace(residual, latex="l", is_zero=False)
-        return replace(found(label), residuals=(broken,)) if label == "3" else found(label)
+    def wrong(*asked: Any) -> list[paper.Evidence]:
+        *others, last = proved(*asked)
+        broken = replace(last.residuals[0], latex="l", is_zero=False)
+        return [*others, replace(last, residuals=(broken,))]
 
-    found = paper.evidence
-    monkeypatch.setattr(paper, "evidence", wrong, raising=False)
+    proved = paper.proved
+    monkeypatch.setattr(paper, "proved", wrong, raising=False)
     assert call("3", "--lang", "en", "--out", "a.html").code == 0
     page = (tmp_path / "a.html").read_text(encoding="utf-8")
     assert "3 of 4 formulas are proved" in page

@@ -3,8 +3,8 @@
 import re
 import shutil
 from base64 import b64decode
-from collections.abc import Iterator
-from functools import cache
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -49,23 +49,25 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[webdriver.Chro
 
 
 @pytest.fixture(scope="module", params=["de", "en"])
-def page(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def page(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory, proofs: paper.Proofs
+) -> Path:
     path = tmp_path_factory.mktemp("page") / f"derivation.{request.param}.html"
-    path.write_text(_page(request.param), encoding="utf-8")
+    path.write_text(paper.write(request.param, "html", proofs=proofs), encoding="utf-8")
     return path
 
 
-@cache
-def _page(language: str) -> str:
-    """The whole page, with proofs as long as they get."""
-    found = {one.label: paper.evidence(one.label) for one in paper.FORMULAS}
-    made = (("sign", 100, 100),)
-    rows = {
-        one.label: paper.Row(one.label, one.step.kind, True, True, 1000, 100, (), 0.0, (), made)
-        for one in paper.FORMULAS
-    }
-    proofs = paper.Proofs(found, rows, "2026-11-26, kugelpendel 0.1.0")
-    return paper.write(language, "html", proofs=proofs)
+@pytest.fixture(scope="module")
+def proofs(examined: Callable[[str], paper.Row]) -> paper.Proofs:
+    """All of them, with counts that are as long as they get."""
+    found: dict[str, paper.Evidence] = {}
+    rows: dict[str, paper.Row] = {}
+    for one in paper.FORMULAS:
+        row = examined(one.label)
+        assert row.evidence is not None
+        found[one.label] = row.evidence
+        rows[one.label] = replace(row, killed=1000, equal=100, sabotages=(("sign", 100, 100),))
+    return paper.Proofs(found, rows, "2026-11-26, kugelpendel 0.1.0")
 
 
 @pytest.fixture(scope="module", params=["de", "en"])

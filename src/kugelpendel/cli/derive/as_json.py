@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
+from dataclasses import asdict, fields
 from typing import TYPE_CHECKING, Any
 
 from kugelpendel import paper
@@ -34,5 +34,11 @@ def _misprint(one: paper.Misprint, words: paper.Words) -> dict[str, Any]:
 
 def proofs(rows: Sequence[paper.Row]) -> str:
     """Write what a check found for each formula, and whether everything holds."""
-    formulas = [{**asdict(row), "mutants": row.mutants, "holds": row.holds} for row in rows]
+    formulas = [_row(row) for row in rows]
     return json_text({"holds": bool(rows) and all(row.holds for row in rows), "formulas": formulas})
+
+
+def _row(row: paper.Row) -> dict[str, Any]:
+    """Give the verdicts of a row; what was compared is in the page."""
+    said = {one.name: getattr(row, one.name) for one in fields(row) if one.name != "evidence"}
+    return {**said, "mutants": row.mutants, "holds": row.holds}

@@ -41,17 +41,10 @@ def check(
     """
     chosen = known_language(language)
     words = paper.words(chosen)
-    labels = list(paper.subjects())
-    target = ""
-    if equation is not None:
-        target = known_label(equation)
-        labels = [*paper.rests_on(target), *(one.label for one in paper.parts(target))]
+    target = "" if equation is None else known_label(equation)
+    labels = paper.leading_to(target) if target else paper.subjects()
     with Progress(words.ui("check_proving"), len(labels)) as progress:
-
-        def advance(done: int, total: int, row: paper.Row) -> None:
-            progress.advance(1)
-
-        rows = paper.check(parallel=True, progress=advance, labels=labels)
+        rows = paper.check(progress=lambda done, total, row: progress.advance(1), labels=labels)
     if is_json:
         write_json(as_json.proofs(rows))
     else:

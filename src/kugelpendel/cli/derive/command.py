@@ -92,25 +92,23 @@ def write_page(
     name = f"derivation-{target.replace(':', '-')}" if target else "derivation"
 
     def written(chosen: str) -> str:
-        proofs = _proofs(target, chosen, rows or ())
+        found = _proved(target, chosen) if rows is None else [one.evidence for one in rows]
+        when = f"{date.today().isoformat()}, kugelpendel {version('kugelpendel')}"
+        proofs = paper.Proofs(
+            {one.label: one for one in found if one is not None},
+            {row.label: row for row in rows or () if row.evidence is not None},
+            when,
+        )
         return paper.write(chosen, "html", target, proofs=proofs)
 
     _put(written, language, out or Path(f"{name}.{language}.html"))
 
 
-def _proofs(target: str, language: str, rows: Sequence[paper.Row]) -> paper.Proofs:
+def _proved(target: str, language: str) -> list[paper.Evidence]:
     """Prove every formula that a page shows, under a bar that tells how long it takes."""
-    words = paper.words(language)
-    labels = [one.label for one in paper.FORMULAS]
-    if target:
-        labels = [*paper.rests_on(target), *(one.label for one in paper.parts(target))]
-    found: dict[str, paper.Evidence] = {}
-    with Progress(words.ui("check_proving"), len(labels)) as progress:
-        for label in labels:
-            found[label] = paper.evidence(label)
-            progress.advance(1)
-    when = f"{date.today().isoformat()}, kugelpendel {version('kugelpendel')}"
-    return paper.Proofs(found, {row.label: row for row in rows if row.label in found}, when)
+    labels = paper.leading_to(target)
+    with Progress(paper.words(language).ui("check_proving"), len(labels)) as progress:
+        return paper.proved(labels, lambda done, total, one: progress.advance(1))
 
 
 def _put(written: Callable[[str], str], language: str, out: Path) -> None:

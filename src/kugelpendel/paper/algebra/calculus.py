@@ -201,12 +201,12 @@ def _same_square(radicand: Expr, angle: Expr, angles: list[Expr]) -> bool:
     return _reduced(_numerator(radicand - _cosine(angle) ** 2), angles) == 0
 
 
-def taylor(expression: Expr, order: int) -> list[Expr]:
-    """Coefficients of ε⁰ … ε^order."""
+def taylor(expression: Expr, order: int, letter: Expr = EPS) -> list[Expr]:
+    """Coefficients of ε⁰ … ε^order, or of another letter's powers."""
     coefficients: list[Expr] = []
     for k in range(order + 1):
-        coefficients.append(expression.subs(EPS, 0) / factorial(k))
-        expression = diff(expression, EPS)
+        coefficients.append(expression.subs(letter, 0) / factorial(k))
+        expression = diff(expression, letter)
     return coefficients
 
 

@@ -65,6 +65,11 @@ class Relation:
         """Lhs − rhs: zero where the relation is an equation and holds."""
         return Add(self.lhs, Mul(-1, self.rhs))
 
+    @property
+    def integrals(self) -> tuple[Expr, ...]:
+        """The different integrals on its right side."""
+        return tuple(self.rhs.atoms(Integrated))
+
     def apply(self, change: Callable[[Expr], Expr]) -> Relation:
         """The same relation with both sides changed."""
         return Relation(change(self.lhs), self.op, change(self.rhs))

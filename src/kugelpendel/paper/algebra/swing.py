@@ -10,6 +10,7 @@ from __future__ import annotations
 from functools import cache
 
 from kugelpendel.paper.algebra import symbols as s
+from kugelpendel.paper.algebra.calculus import taylor
 from kugelpendel.paper.algebra.sympy_names import (
     Add,
     Expr,
@@ -18,9 +19,7 @@ from kugelpendel.paper.algebra.sympy_names import (
     Symbol,
     binomial,
     cancel,
-    diff,
     expand,
-    factorial,
     sqrt,
 )
 
@@ -51,12 +50,11 @@ def mean(integrand: Expr, third: Expr, moment: Expr) -> Series:
     square = square.xreplace({s.u_3: third}).xreplace(_HEIGHTS)
     before = _LOW * _HIGH / _HEIGHT**2 if is_azimuth else Integer(1)
     root, found = sqrt(cancel(square / before)), Integer(0)
-    for k in range(_MOST + 1):
-        term = expand(root.subs(_E, 0) / factorial(k))
+    for k, coefficient in enumerate(taylor(root, _MOST, _E)):
+        term = expand(coefficient)
         found += _E**k * Add(
             *(term.coeff(_HEIGHT, j) * _power(j, is_azimuth) for j in range(k + 1))
         )
-        root = diff(root, _E)
     low, high = (_height(radius) for radius in (s.beta, s.alpha))
     of_root = s.alpha * s.beta * _root(s.alpha) * _root(s.beta)
     return terms(found.xreplace({_LOW: low, _HIGH: high, _ROOT: of_root}))
@@ -82,11 +80,8 @@ def _height(radius: Expr) -> Expr:
 
 def _root(radius: Expr) -> Expr:
     """The root of that over ρ."""
-    whole, found = sqrt(_height(radius) / radius**2), Integer(0)
-    for k in range(_MOST + 1):
-        found += _E**k * whole.subs(_E, 0) / factorial(k)
-        whole = diff(whole, _E)
-    return found
+    over = sqrt(_height(radius) / radius**2)
+    return Add(*(_E**k * one for k, one in enumerate(taylor(over, _MOST, _E))))
 
 
 def terms(expression: Expr) -> Series:

@@ -6,8 +6,6 @@ from dataclasses import dataclass
 from functools import cache
 
 from kugelpendel.paper.algebra import symbols as s
-from kugelpendel.paper.algebra.notation import Relation
-from kugelpendel.paper.algebra.symbols import Integrated
 from kugelpendel.paper.algebra.sympy_names import Expr, mp, mpf
 from kugelpendel.paper.derivation.graph import right
 from kugelpendel.paper.proofs.exact import turning_points
@@ -77,10 +75,6 @@ def swing(alpha: Number, beta: Number) -> World:
 
 def measured(world: World) -> tuple[Number, Number]:
     """ω and Ω by the integrals of C8 and C9, a half swing and what is gone through in it."""
-    half, azimuth = (2 * world.value(_integral(right(label))) for label in ("C8", "C9"))
-    return mp.pi / half, mp.sign(azimuth) * (abs(azimuth) - mp.pi) / half
-
-
-def _integral(relation: Relation) -> Expr:
-    (integral,) = relation.rhs.atoms(Integrated)
-    return integral
+    (time,), (azimuth,) = (right(label).integrals for label in ("C8", "C9"))
+    half, turned = 2 * world.value(time), 2 * world.value(azimuth)
+    return mp.pi / half, mp.sign(turned) * (abs(turned) - mp.pi) / half

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -10,13 +11,15 @@ from kugelpendel.paper.algebra.notation import Relation, read
 from kugelpendel.paper.algebra.symbols import LATEX
 from kugelpendel.paper.algebra.sympy_names import Add, Expr, Integer, cos, expand, mp, sin
 from kugelpendel.paper.algebra.writing import written
-from kugelpendel.paper.checks.mutants import mutants
+from kugelpendel.paper.checks.pool import Progress, one_by_one
 from kugelpendel.paper.checks.remainders import order_said
-from kugelpendel.paper.checks.run import examined
 from kugelpendel.paper.derivation.graph import formula, premises, right
-from kugelpendel.paper.derivation.model import Condition, Formula, Row, StepKind
+from kugelpendel.paper.derivation.model import Condition, Formula, StepKind
 from kugelpendel.paper.proofs.numeric import TOLERANCE, Trial
 from kugelpendel.paper.proofs.worlds import World
+
+_MANY = 32
+"""Formulas that take longer to prove than a further process takes to start."""
 
 _ORDER = {letter: k for k, letter in enumerate(LATEX)}
 
@@ -100,17 +103,19 @@ class Evidence:
     conditions: tuple[Condition, ...]
 
     @property
+    def symbolic(self) -> bool:
+        """Whether the proof with symbols holds."""
+        return all(one.is_zero for one in self.residuals)
+
+    @property
+    def numeric(self) -> bool:
+        """Whether the proof with numbers holds."""
+        return all(one.holds for one in self.points)
+
+    @property
     def holds(self) -> bool:
         """Whether both proofs hold."""
-        return all(q.is_zero for q in self.residuals) and all(q.holds for q in self.points)
-
-    def mutants(self) -> int:
-        """Count the ways in which the formula can be spoilt in one place; a quarter of a second."""
-        return len(mutants(formula(self.label), right(self.label)))
-
-    def examined(self) -> Row:
-        """Try all of them, and every sabotage of the step; about a second."""
-        return examined(self.label)
+        return self.symbolic and self.numeric
 
 
 @cache
@@ -140,6 +145,24 @@ def evidence(label: str) -> Evidence:
         neglected_order=order_said(one),
         conditions=one.step.conditions,
     )
+
+
+def proved(labels: Sequence[str], progress: Progress[Evidence] | None = None) -> list[Evidence]:
+    """Prove several formulas, in as many processes as there are processors where that is faster.
+
+    Parameters
+    ----------
+    labels
+        Of formulas.
+    progress
+        Called after each with how many are done, of how many, and what was compared.
+
+    Raises
+    ------
+    UnknownLabel
+        There is no such formula.
+    """
+    return one_by_one(evidence, labels, progress, parallel=len(labels) >= _MANY)
 
 
 def _compared(relation: Relation) -> str:

@@ -26,7 +26,6 @@ from kugelpendel.paper.algebra.calculus import (
 )
 from kugelpendel.paper.algebra.notation import read
 from kugelpendel.paper.algebra.swing import frequency, precession, product
-from kugelpendel.paper.algebra.symbols import Integrated
 from kugelpendel.paper.algebra.sympy_names import Add, Dummy, Expr, cos, diff, expand, factor, sqrt
 from kugelpendel.paper.derivation.graph import formula, right
 from kugelpendel.paper.derivation.model import Formula, StepKind
@@ -146,10 +145,13 @@ def _carried(label: str) -> Dropped:
 
 def _of_radii(label: str) -> Dropped:
     """The term after those that are kept, of the series of the exact rates."""
-    time, azimuth = (next(iter(right(q).rhs.atoms(Integrated))).args[0] for q in ("C8", "C9"))
+    (time,), (azimuth,) = (right(q).integrals for q in ("C8", "C9"))
     third, moment = right("C7").rhs, (-right("C5").rhs).subs(s.u, 1)
-    found = frequency(time, third)
-    found = product(found, found) if label == "C11" else precession(time, azimuth, third, moment)
+    found = frequency(time.args[0], third)
+    if label == "C11":
+        found = product(found, found)
+    else:
+        found = precession(time.args[0], azimuth.args[0], third, moment)
     left_out = found[-1].xreplace({s.g: s.omega0**2 * s.l})
     return Dropped(left_out, right(label).rhs, RADII)
 

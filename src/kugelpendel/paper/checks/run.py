@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import os
 from collections import Counter
-from collections.abc import Callable, Iterable
-from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
-from contextlib import suppress
+from collections.abc import Iterable
 from functools import partial
-from multiprocessing import active_children, get_context
 from time import perf_counter
 from typing import Literal
 
 from kugelpendel.paper.algebra.calculus import is_constant_multiple, is_zero
 from kugelpendel.paper.algebra.notation import NotationError, Relation
+from kugelpendel.paper.checks.evidence import evidence
 from kugelpendel.paper.checks.faults import faults
 from kugelpendel.paper.checks.mutants import Mutant, mutants
+from kugelpendel.paper.checks.pool import Progress, one_by_one
+from kugelpendel.paper.checks.row import Row
 from kugelpendel.paper.checks.sabotage import (
     is_noticed,
     is_refused,
@@ -27,11 +26,10 @@ from kugelpendel.paper.checks.sabotage import (
 from kugelpendel.paper.checks.signs import sign
 from kugelpendel.paper.checks.wording import sentences, statements
 from kugelpendel.paper.derivation.graph import FORMULAS, formula, premises, right
-from kugelpendel.paper.derivation.model import Formula, Row, StepKind
+from kugelpendel.paper.derivation.model import Formula, StepKind
 from kugelpendel.paper.derivation.statements import LANGUAGES, STATEMENTS
 
 Verdict = Literal["killed", "equal", "survivor"]
-Progress = Callable[[int, int, Row], None]
 
 
 def subjects() -> tuple[str, ...]:
@@ -41,7 +39,7 @@ def subjects() -> tuple[str, ...]:
 
 def check(
     parallel: bool = True,
-    progress: Progress | None = None,
+    progress: Progress[Row] | None = None,
     labels: Iterable[str] | None = None,
     thorough: bool = True,
 ) -> tuple[Row, ...]:
@@ -73,36 +71,7 @@ def check(
         if label not in STATEMENTS and label not in LANGUAGES:
             formula(label)
     one = partial(examined, thorough=thorough)
-    rows: list[Row] = []
-    workers = min(os.cpu_count() or 1, len(wanted))
-    if not parallel or workers < 2:
-        return tuple(_note(one(label), rows, len(wanted), progress) for label in wanted)
-    others = set(active_children())
-    # spawn: a forked child of a process with threads (a progress bar's) may hang
-    with (
-        ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool,
-        suppress(BrokenExecutor),
-    ):
-        try:
-            # Not by map, which cancels what is left: Python 3.11 trips over that in a broken pool.
-            for future in [pool.submit(one, label) for label in wanted]:
-                _note(future.result(), rows, len(wanted), progress)
-        except KeyboardInterrupt:
-            # A proof lasts for seconds, and leaving the pool waits for those that are begun.
-            for worker in set(active_children()) - others:
-                worker.terminate()
-            raise
-    # where no process can be started (a script read from standard input), this one goes on
-    for label in wanted[len(rows) :]:
-        _note(one(label), rows, len(wanted), progress)
-    return tuple(rows)
-
-
-def _note(row: Row, rows: list[Row], total: int, progress: Progress | None) -> Row:
-    rows.append(row)
-    if progress is not None:
-        progress(len(rows), total, row)
-    return row
+    return tuple(one_by_one(one, wanted, progress, parallel))
 
 
 def examined(label: str, thorough: bool = True) -> Row:
@@ -127,14 +96,14 @@ def examined(label: str, thorough: bool = True) -> Row:
 def _formula(one: Formula, thorough: bool) -> Row:
     """A formula of the paper."""
     start = perf_counter()
-    relation = right(one.label)
+    relation, found = right(one.label), evidence(one.label)
     fates = [(mutant, verdict(one, mutant)) for mutant in mutants(one, relation)]
     counted, unnoticed = _sabotaged(one) if thorough else ((), ())
     return Row(
         label=one.label,
         step=one.step.kind,
-        symbolic=one.proof(relation, premises(one)),
-        numeric=one.proof.true_in_numbers(relation),
+        symbolic=found.symbolic,
+        numeric=found.numeric,
         killed=sum(fate == "killed" for _, fate in fates),
         equal=sum(fate == "equal" for _, fate in fates),
         survivors=tuple(mutant.change for mutant, fate in fates if fate == "survivor"),
@@ -142,6 +111,7 @@ def _formula(one: Formula, thorough: bool) -> Row:
         faults=faults(one),
         sabotages=counted,
         unnoticed=unnoticed,
+        evidence=found,
     )
 
 

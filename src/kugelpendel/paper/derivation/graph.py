@@ -114,3 +114,13 @@ def rests_on(label: str) -> tuple[str, ...]:
                     found.add(premise.label)
                     wanted.append(premise.label)
     return tuple(one.label for one in FORMULAS if one.label in found - asked)
+
+
+def leading_to(target: str) -> tuple[str, ...]:
+    """Labels of all that the formula or display rests on, and of its own parts; all for "".
+
+    Raises UnknownLabel.
+    """
+    if not target:
+        return tuple(_BY_LABEL)
+    return (*rests_on(target), *(one.label for one in parts(target)))

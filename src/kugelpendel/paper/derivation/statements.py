@@ -15,7 +15,9 @@ from functools import cache
 from importlib.resources import files
 from typing import Any
 
-LANGUAGES = ("de", "en")
+from kugelpendel.errors import Language
+
+LANGUAGES: tuple[Language, ...] = ("de", "en")
 STATEMENT = re.compile(r"\$@([a-z0-9-]+)\$?")
 FIGURE = re.compile(r"\[([^\[\]]+)\]\(([a-zA-Z0-9.-]+)\)")
 

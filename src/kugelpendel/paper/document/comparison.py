@@ -8,7 +8,6 @@ from kugelpendel.paper.checks.accuracy import ANGLES, accuracy
 from kugelpendel.spelling import significant, spell_percent
 
 if TYPE_CHECKING:
-    from kugelpendel.errors import Language
     from kugelpendel.paper.document.wording import Words
 
 _COLUMNS = ("angle", "turning", "exact", "error_25", "error_c12", "error_26")
@@ -26,12 +25,8 @@ def comparison(words: Words) -> tuple[list[str], list[list[str]]]:
 
 
 def _rate(value: float, words: Words) -> str:
-    return f"{significant(value, 4, language=_language(words))} $`\\omega_0`$"
+    return f"{significant(value, 4, language=words.language)} $`\\omega_0`$"
 
 
 def _share(value: float, words: Words) -> str:
-    return spell_percent(value, language=_language(words))
-
-
-def _language(words: Words) -> Language:
-    return "de" if words.language == "de" else "en"
+    return spell_percent(value, language=words.language)

@@ -1,7 +1,7 @@
 """Numbers for the derivation: a pendulum to build, the Panthéon's, and a swing wide enough to draw.
 
-What follows from a formula is computed from that formula. The exact turning is an own quadrature of
-(5b) and (5c), since the derivation stands alone; a test compares it with the core.
+What follows from a formula is computed from that formula, and what is exact as the proofs compute
+it; a test compares it with the core.
 """
 
 from __future__ import annotations
@@ -9,15 +9,16 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cache, cached_property
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 from kugelpendel.paper.algebra import symbols as s
 from kugelpendel.paper.algebra.sympy_names import mp, mpf
 from kugelpendel.paper.derivation.graph import right
+from kugelpendel.paper.proofs.exact import rates, turning_points
 from kugelpendel.spelling import degrees, general, significant, spell_rate
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Mapping
 
     from kugelpendel.errors import Language
     from kugelpendel.paper.algebra.sympy_names import Expr
@@ -66,49 +67,41 @@ class Example:
     @property
     def exact_turning(self) -> float:
         """The exact rate of turning in rad/s, to the last digit but a few."""
-        time, angle = self._quarter
-        return float((angle - mp.pi / 2) / time) * self.natural_frequency
+        return self.natural_frequency * float(self._exact_rates[1])
 
     @property
     def exact_frequency(self) -> float:
         """The exact frequency in rad/s, beside the turning: a quarter period from a to b."""
-        return float(mp.pi / 2 / self._quarter[0]) * self.natural_frequency
-
-    @cached_property
-    def _quarter(self) -> tuple[Number, Number]:
-        """Time, in 1/ω0, and azimuth from the largest distance to the smallest."""
-        with mp.workdps(_DIGITS):
-            rate, turn = self.rates()
-            return mp.quad(rate, [0, mp.pi / 2, mp.pi]), mp.quad(turn, [0, mp.pi / 2, mp.pi])
+        return self.natural_frequency * float(self._exact_rates[0])
 
     def height(self, phase: float) -> Number:
         """Give z/l at a phase: 0 at the largest distance, π at the smallest."""
-        high, low = self._turning_heights()
-        return (high + low) / 2 + (high - low) / 2 * mp.cos(phase)
+        low, high, _ = self._turning_points
+        return (high + low) / 2 - (low - high) / 2 * mp.cos(phase)
 
-    def rates(self) -> tuple[Callable[[float], Number], Callable[[float], Number]]:
-        """Give dt/dphase, in 1/ω0, and dφ/dphase as functions of the phase.
+    def azimuth_rate(self, phase: float) -> Number:
+        """Give dφ/dphase.
 
-        With w = z/l, energy and angular momentum give ẇ² = 2ω0² (w − w_a)(w_b − w)(w − w_c), and
-        w = (w_a + w_b)/2 + (w_a − w_b)/2 cos(phase) takes the two turning points out of the root.
-        The three roots of that cubic satisfy w_a w_b + (w_a + w_b) w_c = −1.
+        With u = z/l, energy and angular momentum give u̇² = 2ω0² (u1 − u)(u − u2)(u − u3), and
+        u = (u1 + u2)/2 − (u1 − u2)/2 cos(phase) takes the two turning points out of the root.
         """
-        high, low = self._turning_heights()
-        third = -(1 + high * low) / (high + low)
+        low, high, third = self._turning_points
         spin = mp.sqrt(2 * (1 - high) * (1 - low) * (1 - third))
+        height = self.height(phase)
+        return spin / (mp.sqrt(2 * (height - third)) * (1 - height**2))
 
-        def time(phase: float) -> Number:
-            return 1 / mp.sqrt(2 * (self.height(phase) - third))
+    @cached_property
+    def _exact_rates(self) -> tuple[Number, Number]:
+        """ω and Ω over ω0."""
+        with mp.workdps(_DIGITS):
+            return rates(*self._radii())
 
-        def turn(phase: float) -> Number:
-            return spin * time(phase) / (1 - self.height(phase) ** 2)
+    @cached_property
+    def _turning_points(self) -> tuple[Number, Number, Number]:
+        return turning_points(*self._radii())
 
-        return time, turn
-
-    def _turning_heights(self) -> tuple[Number, Number]:
-        ratios = (mpf(self.a) / mpf(self.length), mpf(self.b) / mpf(self.length))
-        high, low = (mp.sqrt(1 - ratio**2) for ratio in ratios)
-        return high, low
+    def _radii(self) -> tuple[Number, Number]:
+        return mpf(self.a) / mpf(self.length), mpf(self.b) / mpf(self.length)
 
     def _put(self, expression: Expr) -> float:
         values = {
@@ -134,15 +127,14 @@ def sky_rate() -> float:
 
 
 @cache
-def values(language: str) -> Mapping[str, str]:
+def values(language: Language) -> Mapping[str, str]:
     """Spell every number that the wording may ask for, each under its name, in "de" or "en"."""
-    chosen = cast("Language", language)
 
     def number(value: float, digits: int = 3) -> str:
-        return significant(value, digits, language=chosen)
+        return significant(value, digits, language=language)
 
     def given(value: float) -> str:
-        return general(value, language=chosen)
+        return general(value, language=language)
 
     one, paris, wide = TO_BUILD, PANTHEON, WIDE
     minute = math.degrees(1.0) * 60
@@ -173,13 +165,13 @@ def values(language: str) -> Mapping[str, str]:
         "paris-length": given(paris.length),
         "paris-a": given(paris.a),
         "paris-b": given(100 * paris.b),
-        "paris-sky": spell_rate(sky_rate(), 3, language=chosen).lstrip("+"),
-        "paris-turning": spell_rate(paris.turning, 2, language=chosen).lstrip("+"),
-        "paris-exact": spell_rate(paris.exact_turning, 2, language=chosen).lstrip("+"),
+        "paris-sky": spell_rate(sky_rate(), 3, language=language).lstrip("+"),
+        "paris-turning": spell_rate(paris.turning, 2, language=language).lstrip("+"),
+        "paris-exact": spell_rate(paris.exact_turning, 2, language=language).lstrip("+"),
         "paris-alike": number(100 * sky_rate() / per_width, 2),
         "wide-a": given(100 * wide.a),
         "wide-b": given(100 * wide.b),
-        "wide-angle": degrees(math.asin(wide.a / wide.length), language=chosen),
+        "wide-angle": degrees(math.asin(wide.a / wide.length), language=language),
         "wide-turn": number(360 * wide.exact_turning / wide.exact_frequency, 3),
         "wide-turn-25": number(360 * wide.turning / wide.frequency, 3),
     }

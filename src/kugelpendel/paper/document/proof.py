@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from kugelpendel.paper.checks.evidence import Evidence, Residual
-    from kugelpendel.paper.derivation.model import Row
+    from kugelpendel.paper.checks.row import Row
     from kugelpendel.paper.document.wording import Words
 
 _SHOWN = 5

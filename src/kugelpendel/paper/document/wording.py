@@ -7,12 +7,14 @@ from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any, cast
 
-from kugelpendel.paper.derivation.statements import resolved, sentences
+from kugelpendel.errors import InvalidInput
+from kugelpendel.paper.derivation.statements import LANGUAGES, resolved, sentences
 from kugelpendel.paper.document.example import values
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from kugelpendel.errors import Language
     from kugelpendel.paper.derivation.model import Misprint
 
 _NAME = re.compile(r"<([a-z0-9-]+)>")
@@ -30,7 +32,7 @@ class Words:
         The file's tables, with formulas in the places of their names.
     """
 
-    language: str
+    language: Language
     tables: Mapping[str, Any]
 
     def ui(self, key: str, *values: object) -> str:
@@ -119,8 +121,18 @@ def quoted(text: str) -> str:
 
 @cache
 def words(language: str) -> Words:
-    """Read the wording of a language, one of `LANGUAGES`, with its statements put in."""
-    return Words(language, {key: _resolved(entry) for key, entry in sentences(language).items()})
+    """Read the wording of a language, one of `LANGUAGES`, with its statements put in.
+
+    Raises
+    ------
+    InvalidInput
+        There is no text in that language.
+    """
+    for known in LANGUAGES:
+        if known == language:
+            return Words(known, {key: _resolved(one) for key, one in sentences(known).items()})
+    choice = " or ".join(repr(known) for known in LANGUAGES)
+    raise InvalidInput(f"There is no text in the language {language!r}; choose {choice}.")
 
 
 def _resolved(entry: Any) -> Any:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from kugelpendel.paper.algebra import symbols as s
 from kugelpendel.paper.algebra.calculus import is_zero
-from kugelpendel.paper.algebra.symbols import Integrated
 from kugelpendel.paper.algebra.sympy_names import Expr, Integer, cos, pi, sin, solve, sqrt
 from kugelpendel.paper.checks.steps.work import Work
 
@@ -14,7 +13,7 @@ def is_integration(work: Work) -> bool:
 
     The rate is that of the time, 1, or that of the azimuth, from the premises.
     """
-    integrals = work.relation.rhs.atoms(Integrated)
+    integrals = work.relation.integrals
     if len(integrals) != 1 or work.relation.op != "=":
         return False
     (integral,) = integrals

@@ -82,7 +82,7 @@ def _over_a_swing(change: Expr, rate_of: Callable[[Premises], Expr]) -> Symbolic
 
 
 def _integrand(relation: Relation) -> Expr:
-    (integral,) = relation.rhs.atoms(Integrated)
+    (integral,) = relation.integrals
     return integral.args[0]
 
 

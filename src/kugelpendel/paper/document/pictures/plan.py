@@ -94,9 +94,8 @@ def _way(swing: Example) -> tuple[list[tuple[float, float]], float]:
 
     Simpson's rule from point to point: the error of the whole way is far below the line's width.
     """
-    _, turn = swing.rates()
     step = math.pi / _PHASES
-    rates = [float(turn(step * number / 2)) for number in range(2 * _PHASES + 1)]
+    rates = [float(swing.azimuth_rate(step * number / 2)) for number in range(2 * _PHASES + 1)]
     quarter = [0.0]
     for number in range(_PHASES):
         first, middle, last = rates[2 * number : 2 * number + 3]

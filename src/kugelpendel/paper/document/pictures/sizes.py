@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 from kugelpendel.paper.algebra import symbols as s
 from kugelpendel.paper.algebra.notation import read
@@ -101,7 +101,7 @@ def _largest(term: Expr, swing: Example, motion: Mapping[Expr, Expr]) -> float:
 
 
 def sizes_drawn(
-    swing: Example, title: str, description: str, words: Mapping[str, str], language: str
+    swing: Example, title: str, description: str, words: Mapping[str, str], language: Language
 ) -> str:
     """Draw the sizes as bars on a logarithmic scale.
 
@@ -136,7 +136,7 @@ def sizes_drawn(
     return sheet.written(title, description)
 
 
-def sizes_told(swing: Example, words: Mapping[str, str], language: str) -> str:
+def sizes_told(swing: Example, words: Mapping[str, str], language: Language) -> str:
     """Say in a sentence what the bars show, for those who do not see them."""
     told = (f"{name} {_share(ratio, language)}" for _, name, ratio in _rows(swing, words))
     return f"{', '.join(told)}."
@@ -154,7 +154,7 @@ def _rows(swing: Example, words: Mapping[str, str]) -> list[tuple[str, str, floa
     return rows
 
 
-def _share(ratio: float, language: str) -> str:
+def _share(ratio: float, language: Language) -> str:
     """Say a share in per cent to two digits."""
     rounded = float(f"{100 * ratio:.1e}")
-    return f"{general(rounded, language=cast('Language', language))} %"
+    return f"{general(rounded, language=language)} %"
