@@ -2,7 +2,11 @@
 
 import json
 import re
+import signal
+import subprocess
+import sys
 from pathlib import Path
+from time import monotonic, sleep
 
 import numpy as np
 import pytest
@@ -133,6 +137,24 @@ def test_bad_tracks(call, tmp_path: Path, case: str) -> None:
     assert outcome.code == 2
     assert re.fullmatch(r"kugelpendel: .*\.\n", outcome.err)
     assert not Path("o").exists()
+
+
+def test_interrupted_it_leaves_nothing(tmp_path: Path) -> None:
+    time = np.arange(150_000) / 30
+    table = np.stack([time, np.cos(2.6 * time), 0.1 * np.sin(2.6 * time)], axis=1)
+    np.savetxt(tmp_path / "long.csv", table, delimiter=",", header="t,x,y", comments="", fmt="%.5f")
+    command = [sys.executable, "-m", "kugelpendel", "fit", "long.csv", "--out", "o"]
+    with subprocess.Popen(
+        command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as process:
+        until = monotonic() + 60
+        while not list(tmp_path.rglob(".kugelpendel-*")) and monotonic() < until:
+            sleep(0.01)  # it is at work as soon as its stage is there
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert (out, err) == ("", "kugelpendel: interrupted; no file is left half-written.\n")
+    assert [path.name for path in tmp_path.iterdir()] == ["long.csv"]
 
 
 def test_too_short_for_a_model_but_not_for_an_ellipse(call, file: Path) -> None:

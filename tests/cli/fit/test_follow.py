@@ -1,6 +1,9 @@
 """``kugelpendel fit --follow``: a line a swing, and a restart loses nothing."""
 
 import csv
+import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -74,6 +77,68 @@ def test_lines_of_another_file_are_kept(call, rows: list[str]) -> None:
     outcome = call("fit", "other.csv", "--follow", "--idle", "0", "--out", "o")
     assert outcome.code == 2
     assert "choose another folder with --out" in outcome.err
+
+
+def test_interrupted_it_says_what_is_kept_and_goes_on_from_there(
+    call, tmp_path: Path, rows: list[str]
+) -> None:
+    log, folder = tmp_path / "log.csv", tmp_path / "o"
+    log.write_text("".join(rows[:1500]))
+    command = [sys.executable, "-m", "kugelpendel", "fit", log, "--follow", "--out", folder]
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as process:
+        assert process.stdout is not None
+        for _ in range(4):  # the head, and three swings
+            assert process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=60)
+    assert process.returncode == 130
+    before = (folder / "swings.csv").read_text()
+    count = len(swings(folder / "swings.csv"))
+    assert count >= 3
+    assert before.endswith("\n")
+    assert err == (
+        f"kugelpendel: interrupted; {count} swings are in {folder / 'swings.csv'}, and the same "
+        "command goes on from there.\n"
+    )
+    assert {path.name for path in folder.iterdir()} == {"swings.csv", "follow.json"}
+
+    log.write_text("".join(rows))
+    assert call("fit", log, "--follow", "--idle", "0", "--out", folder).code == 0
+    assert (folder / "swings.csv").read_text().startswith(before)
+    assert call("fit", log, "--follow", "--idle", "0", "--out", tmp_path / "whole").code == 0
+    found, whole = swings(folder / "swings.csv"), swings(tmp_path / "whole" / "swings.csv")
+    period = 2 * np.pi * np.sqrt(1.5 / 9.80665)
+    assert np.diff(found[:, 0]).min() > 0.4 * period
+    assert np.diff(found[:, 0]).max() < 4 * period
+    assert found[-1, 0] == pytest.approx(whole[-1, 0], abs=2 * period)
+    assert abs(len(found) - len(whole)) <= 4
+
+
+def test_lines_that_no_follow_has_made_are_kept(call, rows: list[str]) -> None:
+    log = Path("log.csv")
+    log.write_text("".join(rows[:800]))
+    Path("o").mkdir()
+    Path("o/swings.csv").write_text("mine\n")
+    outcome = call("fit", log, "--follow", "--idle", "0", "--out", "o")
+    assert outcome.code == 2
+    assert "o has swings.csv already, which no --follow of this file has made" in outcome.err
+    assert Path("o/swings.csv").read_text() == "mine\n"
+    assert [path.name for path in Path("o").iterdir()] == ["swings.csv"]
+
+
+def test_a_place_that_cannot_be_read_is_refused(call, rows: list[str]) -> None:
+    log = Path("log.csv")
+    log.write_text("".join(rows[:800]))
+    assert call("fit", log, "--follow", "--idle", "0", "--out", "o").code == 0
+    before = Path("o/swings.csv").read_text()
+    Path("o/follow.json").write_text('{"file": ')
+    outcome = call("fit", log, "--follow", "--idle", "0", "--out", "o")
+    assert outcome.code == 2
+    assert "follow.json cannot be read: " in outcome.err
+    assert "choose another folder with --out." in outcome.err
+    assert Path("o/swings.csv").read_text() == before
 
 
 @pytest.mark.parametrize("name", GROWING)
