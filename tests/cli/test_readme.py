@@ -2,6 +2,7 @@
 
 import doctest
 import re
+import shlex
 import shutil
 import tomllib
 from pathlib import Path
@@ -41,7 +42,7 @@ def test_console(readme: str, call, repository: Path) -> None:
     assert found
     for block in found:
         command, _, expected = block.partition("\n")
-        program, *arguments = command.removeprefix("$ ").split()
+        program, *arguments = shlex.split(command.removeprefix("$ "))
         assert program == "kugelpendel"
         outcome = call(*arguments)
         assert outcome.code == 0
