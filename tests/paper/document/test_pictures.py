@@ -97,9 +97,9 @@ def test_the_path_is_that_of_the_exact_motion(swing: Example) -> None:
     period = 2 * math.pi / float(motion.frequency)
     turned = float(motion.precession) * period
     swings = 7
-    assert len(drawn_way) == 4 * 30 * swings + 1
+    assert len(drawn_way) == 4 * 20 * swings + 1
     for number in range(swings + 1):
-        x, y = drawn_way[number * 120]
+        x, y = drawn_way[number * 80]
         place = motion.position(number * period)
         assert (x - centre[0]) / scale == pytest.approx(float(place[0]), abs=0.1 / scale)
         assert (centre[1] - y) / scale == pytest.approx(float(place[1]), abs=0.1 / scale)
@@ -107,7 +107,7 @@ def test_the_path_is_that_of_the_exact_motion(swing: Example) -> None:
     # between the turning points the drawn path keeps to the motion's
     times = [period * number / 4000 for number in range(4001)]
     seen = [(centre[0] + scale * q[0], centre[1] - scale * q[1]) for q in motion.position(times)]
-    for point in drawn_way[:120:5]:
+    for point in drawn_way[:80:3]:
         assert min(math.dist(point, other) for other in seen) < 0.5
 
 

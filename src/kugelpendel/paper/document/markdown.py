@@ -216,7 +216,8 @@ class Writer:
     def _wrong(self, line: Line) -> str:
         ui, is_misprinted = self._ui, line.formula.is_misprinted
         kinds = dict.fromkeys(ui(f"misprint_{one.kind}") for one in line.misprints)
-        parts = [f"**{ui('in_print')}: {', '.join(kinds)}**"]
+        place = self._document.name(line.formula.label)
+        parts = [f"**{ui('in_print')} {place}: {', '.join(kinds)}**"]
         if is_misprinted:
             parts.extend([f"{ui('printed')}:", self.block(line.formula.printed)])
         parts.extend(self._note(one) for one in line.misprints)

@@ -24,9 +24,11 @@ from kugelpendel.paper.typeset.tex import (
 if TYPE_CHECKING:
     from kugelpendel.paper.typeset.breaks import Piece
 
-_THIN = '<mspace width="0.17em"/>'
+_THIN = "<mtext>\u2009</mtext>"
 _SHORT = 14
 """Signs that a line of text always has room for."""
+_WIDE = 20
+"""Signs in a piece above which a page may set it smaller, where it has little room."""
 _HAIR = '<mspace width="0.1em"/>'
 _ACCENTS = {"\u0307": "˙", "\u0308": "¨", "\u20d7": "→"}
 
@@ -63,11 +65,15 @@ def _pieces(row: MathList) -> str:
 
 
 def _math(items: Piece, continues: bool = False) -> str:
-    return f"<math>{_row(items, continues)}</math>"
+    style = ' class="wide"' if width(MathList(items)) > _WIDE else ""
+    return f"<math{style}>{_row(items, continues)}</math>"
 
 
 def _row(items: Piece, continues: bool = False) -> str:
-    """Write a row; one that continues a formula keeps the space around its first sign."""
+    """Write a row; one that continues a formula keeps the space around its first sign.
+
+    A sign is a prefix at the beginning of a row, and infix within it, unless it says otherwise.
+    """
     written: list[str] = []
     before: Node | None = None
     for item in items:
@@ -77,7 +83,9 @@ def _row(items: Piece, continues: bool = False) -> str:
             written.append(_HAIR)
         if _is_sign(item):
             infix = continues if before is None else not _is_operator(before)
-            written.append(_sign(item, "infix" if infix else "prefix"))
+            is_usual = infix is (before is not None) and item is not items[-1]
+            form = "" if is_usual else f' form="{"infix" if infix else "prefix"}"'
+            written.append(_sign(item, form))
         else:
             written.append(_node(item))
         before = item
@@ -102,7 +110,7 @@ def _sign(node: Node, form: str) -> str:
     if isinstance(node, Marked):
         return f'<mrow class="differs">{_sign(node.inner, form)}</mrow>'
     assert isinstance(node, Atom)
-    return f'<mo form="{form}">{node.text}</mo>'
+    return f"<mo{form}>{node.text}</mo>"
 
 
 def _wants_space(before: Node, item: Node) -> bool:
@@ -147,8 +155,9 @@ def _node(node: Node) -> str:
             accent = f"<mo{style}>{_ACCENTS[mark]}</mo>"
             return f'<mover accent="true">{_group(base)}{accent}</mover>'
         case Fence(opening, closing, inner):
-            left = f'<mo fence="true" form="prefix">{opening}</mo>' if opening else ""
-            right = f'<mo fence="true" form="postfix">{closing}</mo>' if closing else ""
+            # At the ends of a row of their own they are fences that stretch.
+            left = f"<mo>{opening}</mo>" if opening else ""
+            right = f"<mo>{closing}</mo>" if closing else ""
             return f"<mrow>{left}{_row(inner.items)}{right}</mrow>"
         case Matrix(rows):
             cells = "".join(
@@ -202,4 +211,12 @@ def _group(node: Node) -> str:
     """Exactly one element, as `mfrac` and its like count their children."""
     if isinstance(node, Atom):
         return f"<mi>{node.text}</mi>" if node.kind == "function" else _atom(node)
-    return f"<mrow>{_node(node)}</mrow>"
+    if isinstance(node, MathList) and len(node.items) == 1 and not _is_sign_like(node.items[0]):
+        return _group(node.items[0])
+    is_several = isinstance(node, Script) and _is_function(node.base)
+    return f"<mrow>{_node(node)}</mrow>" if is_several else _node(node)
+
+
+def _is_sign_like(node: Node) -> bool:
+    """Whether it is an operator, which alone in a group has no space around it."""
+    return isinstance(node, Atom) and node.kind == "operator"

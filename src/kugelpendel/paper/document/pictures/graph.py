@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-_WIDTH, _HEIGHT = 58, 28  # px, of a box
+_WIDTH, _HEIGHT = 58, 28  # px, of a box, as the page's style has them
 _ACROSS, _DOWN = 74, 56  # px, from box to box
 _BEND = 26  # px, that a line takes where it passes a layer
 _SWEEPS = 12
@@ -176,14 +176,16 @@ def _room(stop: str) -> int:
 
 
 def _line(stops: Sequence[tuple[float, float]]) -> str:
-    (x, y), *_ = stops
-    path = f"M{x:.0f} {y + _HEIGHT / 2:.0f}"
-    for number, (x, y) in enumerate(stops[1:], start=2):
-        before_x, before_y = stops[number - 2]
-        start = before_y + (_HEIGHT / 2 if number == 2 else 0)
-        end = y - (_HEIGHT / 2 if number == len(stops) else 0)
-        half = (start + end) / 2
-        path += f"C{before_x:.0f} {half:.0f} {x:.0f} {half:.0f} {x:.0f} {end:.0f}"
+    """A line that leaves and enters each stop upright; relative, as there are hundreds of them."""
+    last = len(stops) - 1
+    ends = [round(y - _HEIGHT / 2 if number == last else y) for number, (_, y) in enumerate(stops)]
+    at, height = round(stops[0][0]), round(stops[0][1] + _HEIGHT / 2)
+    path = f"M{at} {height}"
+    for number, (x, _) in enumerate(stops[1:], start=1):
+        aside, down = round(x) - at, ends[number] - height
+        bend = f"{aside} {down // 2} {aside} {down}"
+        path += f"c0 {down // 2} {bend}" if number == 1 else f"s{bend}"
+        at, height = round(x), ends[number]
     return f'<path d="{path}"/>'
 
 
@@ -192,6 +194,6 @@ def _box(box: Box, x: float, y: float) -> str:
     hint = f"<title>{escape(box.hint)}</title>" if box.hint else ""
     return (
         f'<a href="#eq-{label}" class="{style}">{hint}'
-        f'<rect x="{x - _WIDTH / 2:.0f}" y="{y - _HEIGHT / 2:.0f}" width="{_WIDTH}"'
-        f' height="{_HEIGHT}" rx="6"/><text x="{x:.0f}" y="{y + 4:.0f}">{label}</text></a>'
+        f'<rect x="{x - _WIDTH / 2:.0f}" y="{y - _HEIGHT / 2:.0f}"/>'
+        f'<text x="{x:.0f}" y="{y + 4:.0f}">{label}</text></a>'
     )

@@ -15,7 +15,7 @@ _TURNED = math.radians(27)
 _SHOWN = 7
 """Swings of the path that are drawn."""
 
-_PHASES = 30
+_PHASES = 20
 """Points from one turning point to the next."""
 
 
@@ -77,7 +77,7 @@ def path(swing: Example, title: str, description: str, words: tuple[str, str]) -
     points = [placed(distance, azimuth) for distance, azimuth in way]
     turns = [way[number * 4 * _PHASES] for number in range(_SHOWN + 1)]
     sheet.path(points, "way")
-    sheet.arrow(points[12:22], "way")
+    sheet.arrow(points[8:15], "way")
     sheet.path([placed(swing.a, math.pi), placed(swing.a, 0)], "dashed")
     sheet.path([placed(swing.a, end + math.pi), placed(swing.a, end)], "accent")
     for distance, azimuth in turns:
