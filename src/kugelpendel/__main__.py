@@ -1,8 +1,28 @@
-"""``python -m kugelpendel`` is the command ``kugelpendel``."""
+"""``kugelpendel``, or ``python -m kugelpendel``: the command as a process of its own."""
 
+from __future__ import annotations
+
+import os
 import sys
+from typing import NoReturn
 
-from kugelpendel.cli import main
+_INTERRUPTED = 130
+
+
+def run() -> NoReturn:
+    """Run the command line and leave with its exit code."""
+    try:
+        from kugelpendel.cli import main
+
+        code = main()
+    except KeyboardInterrupt:  # before there was a command that could have said it
+        print("kugelpendel: interrupted; no file is left half-written.", file=sys.stderr)
+        code = _INTERRUPTED
+    if code == _INTERRUPTED:
+        # Everything is said and put away; to unload what was imported takes up to half a second.
+        os._exit(code)
+    sys.exit(code)
+
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run()

@@ -4,11 +4,9 @@ use crate::columns::{Columns, Numbers, new_array};
 use crate::given::{Problems, Told, bad, each_case, problems, tell};
 use crate::signal::{Signal, lock};
 use kugelpendel::{
-    Drive, Envelope, EnvelopeMotion, EnvelopeWalks, Forces, Halt, Invalid, Pendulum, Quantity, in_parallel,
+    Drive, Envelope, EnvelopeMotion, EnvelopeWalks, Forces, Halt, Invalid, Pendulum, Quantity, Stop, in_parallel,
 };
 
-/// Motions that are integrated at once before anyone asks for an interruption.
-const GROUP: usize = 256;
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -79,11 +77,14 @@ impl EnvelopeMotions {
         let signal = Signal::default();
         let mut ends = vec![f64::NAN; self.motions.len()];
         let size = what.width() * times.len();
-        let row = |index: usize, row: &mut [f64], end: &mut f64| {
+        let row = |index: usize, row: &mut [f64], end: &mut f64, stop: Stop<'_>| {
             row.fill(f64::NAN);
             let Ok(motion) = &self.motions[index] else { return };
+            if stop() {
+                return;
+            }
             let mut walks = lock(&self.walks[index]);
-            if let Err(Halt::Ended(time, _)) = motion.fill(what, times, row, &mut walks, &|| signal.ends_work()) {
+            if let Err(Halt::Ended(time, _)) = motion.fill(what, times, row, &mut walks, stop) {
                 *end = time;
             }
         };
@@ -92,16 +93,11 @@ impl EnvelopeMotions {
                 return;
             }
             if let [end] = &mut ends[..] {
-                return row(0, out, end);
+                return row(0, out, end, &|| signal.ends_work());
             }
-            let groups = out.chunks_mut(GROUP * size).zip(ends.chunks_mut(GROUP)).enumerate();
-            for (group, (out, ends)) in groups {
-                let rows = out.par_chunks_mut(size).zip(ends).enumerate();
-                in_parallel(|| rows.for_each(|(index, (out, end))| row(GROUP * group + index, out, end)));
-                if signal.ends_work() {
-                    return;
-                }
-            }
+            let rows = out.par_chunks_mut(size).zip(&mut ends).enumerate();
+            let stop = || signal.has_arrived();
+            signal.watch(|| in_parallel(|| rows.for_each(|(index, (out, end))| row(index, out, end, &stop))));
         });
         signal.raised()?;
         Ok((array, ends.into_pyarray(py)))
@@ -130,14 +126,16 @@ impl EnvelopeMotions {
     /// The times in s between which each motion holds, two to a motion, looked for within a time; NaN for the bad ones.
     fn span<'py>(&self, py: Python<'py>, within: f64) -> PyResult<Numbers<'py>> {
         let signal = Signal::default();
-        let span = |motion: &Result<EnvelopeMotion, Invalid>| {
-            let span = motion.as_ref().ok().and_then(|motion| motion.span(within, &|| signal.ends_work()).ok());
+        let span = |motion: &Result<EnvelopeMotion, Invalid>, stop: Stop<'_>| {
+            let span = motion.as_ref().ok().filter(|_| !stop()).and_then(|motion| motion.span(within, stop).ok());
             span.unwrap_or([f64::NAN; 2])
         };
-        let spans: Vec<_> = match &self.motions[..] {
-            [motion] => py.detach(|| span(motion).to_vec()), // on this thread, which is the one that sees a signal
-            motions => py.detach(|| in_parallel(|| motions.par_iter().flat_map_iter(span).collect())),
-        };
+        let spans: Vec<_> = py.detach(|| match &self.motions[..] {
+            [motion] => span(motion, &|| signal.ends_work()).to_vec(),
+            motions => signal.watch(|| {
+                in_parallel(|| motions.par_iter().flat_map_iter(|one| span(one, &|| signal.has_arrived())).collect())
+            }),
+        });
         signal.raised()?;
         Ok(spans.into_pyarray(py))
     }
@@ -165,14 +163,24 @@ pub(crate) fn averaged_ellipses<'py>(
         let forces = Forces { damping, quadratic, rotation, anisotropy, axis, damping_anisotropy, damping_axis };
         let pendulum = Pendulum { length, gravity, mass: 1.0 };
         let start = [a, b, azimuth];
+        let stop = || signal.has_arrived();
         let Ok(motion) = EnvelopeMotion::at_apsis(pendulum, start, forces, Drive::Absent, factor) else { return };
         // What is beyond an end stays NaN.
-        let _ = motion.fill(Envelope::Ellipse, times, out, &mut EnvelopeWalks::default(), &|| signal.ends_work());
+        let _ = motion.fill(Envelope::Ellipse, times, out, &mut EnvelopeWalks::default(), &stop);
     };
     let size = 3 * times.len();
     let array = new_array(py, size * count, |out| {
         if size > 0 {
-            in_parallel(|| out.par_chunks_mut(size).enumerate().for_each(|(row, out)| fill(row, out)));
+            let rows = out.par_chunks_mut(size).enumerate();
+            signal.watch(|| {
+                in_parallel(|| {
+                    rows.for_each(|(row, out)| {
+                        if !signal.has_arrived() {
+                            fill(row, out)
+                        }
+                    })
+                })
+            });
         }
     });
     signal.raised()?;

@@ -1,12 +1,16 @@
 //! Exact motions: flat arrays in, flat arrays out.
 
-use crate::columns::{Columns, Numbers, known_launcher, new_array};
+use crate::columns::{Columns, Numbers, known_launcher};
 use crate::given::{Problems, Told, problems, tell};
 use crate::meaning::event;
+use crate::signal::{Signal, collected, fill_in_pieces, filled};
 use kugelpendel::{EllipseRates, Ensemble, ExactMotion, Harmonic, IdealSummary, Pendulum, Quantity, Times};
 use numpy::{Complex64, IntoPyArray, PyArray1, PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+
+/// So many motions are solved sooner than anyone could wish to stop them.
+const FEW: usize = 4096;
 
 /// Motions in a row.
 #[pyclass(frozen, module = "kugelpendel._core")]
@@ -34,12 +38,18 @@ impl ExactMotions {
         let (width, launch) = known_launcher(kind)?;
         let pendulum = Columns::checked(&pendulum, 3, count)?;
         let values = Columns::checked(&values, width, count)?;
-        let ensemble = py.detach(|| {
-            Ensemble::new(count, |i| {
-                let [length, gravity, mass] = pendulum.row(i);
-                (Pendulum { length, gravity, mass }, launch(&values, i))
-            })
+        let signal = Signal::default();
+        let case = |i: usize| {
+            let [length, gravity, mass] = pendulum.row(i);
+            // Nobody solves a bad case, so what is left after a signal is soon over.
+            let length = if signal.has_arrived() { f64::NAN } else { length };
+            (Pendulum { length, gravity, mass }, launch(&values, i))
+        };
+        let ensemble = py.detach(|| match count {
+            0..=FEW => Ensemble::new(count, case),
+            _ => signal.watch(|| Ensemble::new(count, case)),
         });
+        signal.raised()?;
         Ok(Self { ensemble })
     }
 
@@ -61,77 +71,86 @@ impl ExactMotions {
         self.scattered(py, Quantity::Velocity, &times)
     }
 
-    fn sample<'py>(&self, py: Python<'py>, start: f64, step: f64, count: usize) -> Numbers<'py> {
-        let times = Times::Grid { start, step, first: 0 };
-        self.filled(py, 3 * count, |out| self.ensemble.fill(Quantity::Position, times, out))
+    fn sample<'py>(&self, py: Python<'py>, start: f64, step: f64, count: usize) -> PyResult<Numbers<'py>> {
+        filled(py, [self.ensemble.len(), count, 3], |motions, times, out| {
+            self.ensemble.fill(motions, Quantity::Position, Times::Grid { start, step, first: times.start }, out);
+        })
     }
 
     /// The same into an array that is there already.
     fn sample_into(&self, py: Python<'_>, start: f64, step: f64, mut out: PyReadwriteArray1<'_, f64>) -> PyResult<()> {
         let out = out.as_slice_mut()?;
-        py.detach(|| self.ensemble.fill(Quantity::Position, Times::Grid { start, step, first: 0 }, out));
-        Ok(())
+        let signal = Signal::default();
+        let count = out.len() / (3 * self.ensemble.len()).max(1);
+        py.detach(|| {
+            fill_in_pieces(&signal, [count, 3], out, |motions, times, out| {
+                self.ensemble.fill(motions, Quantity::Position, Times::Grid { start, step, first: times.start }, out);
+            });
+        });
+        signal.raised()
     }
 
     fn tension<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {
         let times = times.as_slice()?;
-        Ok(self.filled(py, times.len(), |out| self.ensemble.fill_tension(times, out)))
+        filled(py, [self.ensemble.len(), times.len(), 1], |motions, some, out| {
+            self.ensemble.fill_tension(motions, &times[some], out);
+        })
     }
 
-    fn frequency<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+    fn frequency<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, |motion| [motion.frequency()])
     }
 
-    fn precession<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+    fn precession<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, |motion| [motion.precession()])
     }
 
-    fn radial_period<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+    fn radial_period<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, |motion| [motion.radial_period()])
     }
 
-    fn apsidal_angle<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+    fn apsidal_angle<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, |motion| [motion.apsidal_angle()])
     }
 
-    fn apsis_time<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+    fn apsis_time<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, |motion| [motion.apsis_time()])
     }
 
-    fn apsis_azimuth<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+    fn apsis_azimuth<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, |motion| [motion.apsis_azimuth()])
     }
 
-    fn energy<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+    fn energy<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, |motion| [motion.energy()])
     }
 
-    fn angular_momentum<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+    fn angular_momentum<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, |motion| [motion.angular_momentum()])
     }
 
-    fn slack_time<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+    fn slack_time<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, |motion| [motion.slack_time()])
     }
 
-    fn turning_radii<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+    fn turning_radii<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, ExactMotion::turning_radii)
     }
 
-    fn turning_heights<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+    fn turning_heights<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, ExactMotion::turning_heights)
     }
 
-    fn tension_range<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+    fn tension_range<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, ExactMotion::tension_range)
     }
 
-    fn swing_period<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+    fn swing_period<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, |motion| [motion.swing_period()])
     }
 
     /// What an error of position is given as a fraction of, m.
-    fn amplitude<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+    fn amplitude<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, |motion| [motion.amplitude()])
     }
 
@@ -181,8 +200,7 @@ impl ExactMotions {
             let tiny = if rates.tiny { 1.0 } else { 0.0 };
             [rates.precession, rates.frequency, alpha, beta, rates.formula_25, rates.formula_26, tiny]
         };
-        let rows: Vec<f64> = py.detach(|| (0..self.ensemble.len()).flat_map(row).collect());
-        Ok(rows.into_pyarray(py))
+        Ok(collected(py, self.ensemble.len(), row)?.into_pyarray(py))
     }
 
     /// Times of an event of the first motion, at most `most` of them.
@@ -194,17 +212,23 @@ impl ExactMotions {
         between: [f64; 2],
         most: usize,
     ) -> PyResult<Numbers<'py>> {
-        let (event, motion) = (event(kind, value)?, self.first()?);
-        Ok(py.detach(|| motion.events(event, between, most)).into_pyarray(py))
+        let (event, motion, signal) = (event(kind, value)?, self.first()?, Signal::default());
+        let times = py.detach(|| motion.events(event, between, most, &|| signal.ends_work()));
+        signal.raised()?;
+        Ok(times.unwrap_or_default().into_pyarray(py))
     }
 
     /// (order, frequency, amplitude) in the plan view and of the height, row after row; NaN and the order 0 where there
     /// is no spectrum, and why there is none of the first.
-    fn spectrum<'py>(&self, py: Python<'py>, pairs: usize) -> (Harmonics<'py>, Harmonics<'py>, Option<Told>) {
+    fn spectrum<'py>(&self, py: Python<'py>, pairs: usize) -> PyResult<(Harmonics<'py>, Harmonics<'py>, Option<Told>)> {
         const ABSENT: Harmonic = Harmonic { order: 0, frequency: f64::NAN, amplitude: [f64::NAN; 2] };
+        let signal = Signal::default();
         let (plan, vertical, first) = py.detach(|| {
             let (mut plan, mut vertical, mut first) = (Vec::new(), Vec::new(), None);
             for index in 0..self.ensemble.len() {
+                if signal.ends_work() {
+                    break;
+                }
                 match self.ensemble.motion(index).and_then(|motion| motion.spectrum(pairs)) {
                     Ok(spectrum) => {
                         plan.extend(spectrum.plan);
@@ -219,7 +243,8 @@ impl ExactMotions {
             }
             (plan, vertical, first)
         });
-        (columns(py, &plan), columns(py, &vertical), first)
+        signal.raised()?;
+        Ok((columns(py, &plan), columns(py, &vertical), first))
     }
 }
 
@@ -238,20 +263,18 @@ impl ExactMotions {
         times: &PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Numbers<'py>> {
         let times = times.as_slice()?;
-        Ok(self.filled(py, 3 * times.len(), |out| self.ensemble.fill(quantity, Times::Scattered(times), out)))
-    }
-
-    /// A new array with `width` numbers for each motion.
-    fn filled<'py>(&self, py: Python<'py>, width: usize, fill: impl FnOnce(&mut [f64]) + Send) -> Numbers<'py> {
-        new_array(py, width * self.ensemble.len(), fill)
+        filled(py, [self.ensemble.len(), times.len(), 3], |motions, some, out| {
+            self.ensemble.fill(motions, quantity, Times::Scattered(&times[some]), out);
+        })
     }
 
     fn each<'py, const N: usize>(
         &self,
         py: Python<'py>,
-        quantity: impl Fn(&ExactMotion) -> [f64; N] + Send,
-    ) -> Numbers<'py> {
-        py.detach(|| self.ensemble.map(quantity)).into_pyarray(py)
+        quantity: impl Fn(&ExactMotion) -> [f64; N] + Send + Sync,
+    ) -> PyResult<Numbers<'py>> {
+        let row = |index: usize| self.ensemble.motion(index).as_ref().map_or([f64::NAN; N], &quantity);
+        Ok(collected(py, self.ensemble.len(), row)?.into_pyarray(py))
     }
 }
 

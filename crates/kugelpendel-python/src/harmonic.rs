@@ -1,13 +1,15 @@
 //! Figures of a few harmonics: flat arrays in, flat arrays out.
 
-use crate::columns::{Numbers, new_array};
+use crate::columns::Numbers;
 use crate::given::{Problems, Told, bad, each_case, problems, tell};
 use crate::meaning::event;
+use crate::signal::{Signal, collected, filled};
 use kugelpendel::{HarmonicLaw, HarmonicMotion, Invalid, MAX_POWER, Quantity, Times};
 use numpy::{IntoPyArray, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::collections::HashMap;
+use std::ops::Range;
 
 /// Turning figures of a few harmonics in a row.
 #[pyclass(frozen, module = "kugelpendel._core")]
@@ -72,30 +74,30 @@ impl HarmonicMotions {
     }
 
     /// Outer semi-axes and inner ones, signed; two numbers a motion.
-    fn semi_axes<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+    fn semi_axes<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, HarmonicMotion::semi_axes)
     }
 
-    fn frequency<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+    fn frequency<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, |motion| [motion.frequency])
     }
 
-    fn precession<'py>(&self, py: Python<'py>) -> Numbers<'py> {
+    fn precession<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, |motion| [motion.precession])
     }
 
     fn position<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {
-        let times = times.as_slice()?;
-        Ok(self.filled(py, times.len(), Quantity::Position, Times::Scattered(times)))
+        self.scattered(py, Quantity::Position, &times)
     }
 
     fn velocity<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Numbers<'py>> {
-        let times = times.as_slice()?;
-        Ok(self.filled(py, times.len(), Quantity::Velocity, Times::Scattered(times)))
+        self.scattered(py, Quantity::Velocity, &times)
     }
 
-    fn sample<'py>(&self, py: Python<'py>, start: f64, step: f64, count: usize) -> Numbers<'py> {
-        self.filled(py, count, Quantity::Position, Times::Grid { start, step, first: 0 })
+    fn sample<'py>(&self, py: Python<'py>, start: f64, step: f64, count: usize) -> PyResult<Numbers<'py>> {
+        filled(py, [self.motions.len(), count, 3], |motions, times, out| {
+            self.fill(motions, Quantity::Position, Times::Grid { start, step, first: times.start }, out);
+        })
     }
 
     /// Times of an event of the first motion, at most `most` of them.
@@ -111,7 +113,10 @@ impl HarmonicMotions {
         let Some(Ok(motion)) = self.motions.first() else {
             return Err(PyValueError::new_err("there is no motion"));
         };
-        Ok(py.detach(|| motion.events(event, between, most)).into_pyarray(py))
+        let signal = Signal::default();
+        let times = py.detach(|| motion.events(event, between, most, &|| signal.ends_work()));
+        signal.raised()?;
+        Ok(times.unwrap_or_default().into_pyarray(py))
     }
 }
 
@@ -119,22 +124,31 @@ impl HarmonicMotions {
     fn each<'py, const N: usize>(
         &self,
         py: Python<'py>,
-        quantity: impl Fn(&HarmonicMotion) -> [f64; N],
-    ) -> Numbers<'py> {
-        let numbers = self.motions.iter().flat_map(|motion| motion.as_ref().map_or([f64::NAN; N], &quantity));
-        numbers.collect::<Vec<_>>().into_pyarray(py)
+        quantity: impl Fn(&HarmonicMotion) -> [f64; N] + Send + Sync,
+    ) -> PyResult<Numbers<'py>> {
+        let row = |index: usize| self.motions[index].as_ref().map_or([f64::NAN; N], &quantity);
+        Ok(collected(py, self.motions.len(), row)?.into_pyarray(py))
     }
 
-    fn filled<'py>(&self, py: Python<'py>, count: usize, quantity: Quantity, times: Times<'_>) -> Numbers<'py> {
-        new_array(py, 3 * count * self.motions.len(), |out| {
-            if count > 0 {
-                for (motion, row) in self.motions.iter().zip(out.chunks_exact_mut(3 * count)) {
-                    match motion {
-                        Ok(motion) => motion.fill(quantity, times, row),
-                        Err(_) => row.fill(f64::NAN),
-                    }
-                }
-            }
+    fn scattered<'py>(
+        &self,
+        py: Python<'py>,
+        quantity: Quantity,
+        times: &PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Numbers<'py>> {
+        let times = times.as_slice()?;
+        filled(py, [self.motions.len(), times.len(), 3], |motions, some, out| {
+            self.fill(motions, quantity, Times::Scattered(&times[some]), out);
         })
+    }
+
+    fn fill(&self, motions: Range<usize>, quantity: Quantity, times: Times<'_>, out: &mut [f64]) {
+        let size = out.len() / motions.len();
+        for (motion, row) in self.motions[motions].iter().zip(out.chunks_exact_mut(size)) {
+            match motion {
+                Ok(motion) => motion.fill(quantity, times, row),
+                Err(_) => row.fill(f64::NAN),
+            }
+        }
     }
 }

@@ -1,11 +1,15 @@
 //! What a motion means: flat arrays in, flat arrays out; a motion of Python's is asked by calling it.
 
-use crate::columns::{Columns, Numbers, new_array};
+use crate::columns::{Columns, Numbers};
+use crate::signal::{Signal, collected};
 use kugelpendel::{Ellipse, Event, Pendulum, StateVector, olsson};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::f64::consts::PI;
+
+/// So many ellipses are found sooner than anyone could wish to stop it.
+const FEW: usize = 4096;
 
 /// The event of this name; the value is the azimuth in rad or the radius in m where it takes one.
 pub(crate) fn event(kind: &str, value: f64) -> PyResult<Event> {
@@ -51,9 +55,9 @@ fn by_olsson<'py>(
     let rate = |index: usize| {
         let [a, b, length, gravity] = columns.row(index);
         let rate = formula(a, b, &Pendulum { length, gravity, mass: 1.0 });
-        if length > 0.0 && gravity > 0.0 && rate.is_finite() { rate } else { f64::NAN }
+        [if length > 0.0 && gravity > 0.0 && rate.is_finite() { rate } else { f64::NAN }]
     };
-    Ok(new_array(py, count, |out| out.iter_mut().enumerate().for_each(|(index, out)| *out = rate(index))))
+    Ok(collected(py, count, rate)?.into_pyarray(py))
 }
 
 /// Osculating ellipses of `count` motions at the same times: a, b and the azimuth, continuous along the times of each.
@@ -76,12 +80,19 @@ pub(crate) fn osculating_ellipses<'py>(
         return Err(PyValueError::new_err("positions, velocities and times do not go together"));
     }
     let triple = |numbers: &[f64], index: usize| std::array::from_fn(|k| numbers[3 * index + k]);
+    let signal = Signal::default();
     let (axes, azimuth) = py.detach(|| {
-        let ellipses = Ellipse::osculating(size, |index| {
+        let case = |index: usize| {
             let [length, gravity, mass, rotation] = columns.row(index / times.len());
+            // Nobody solves a bad case, so what is left after a signal is soon over.
+            let length = if signal.has_arrived() { f64::NAN } else { length };
             let pendulum = Pendulum { length, gravity, mass };
             (pendulum, triple(positions, index), triple(velocities, index), rotation)
-        });
+        };
+        let ellipses = match size {
+            0..=FEW => Ellipse::osculating(size, case),
+            _ => signal.watch(|| Ellipse::osculating(size, case)),
+        };
         let mut azimuths: Vec<f64> = ellipses.iter().map(|ellipse| ellipse.azimuth).collect();
         if !times.is_empty() {
             azimuths.chunks_exact_mut(times.len()).for_each(|row| kugelpendel::unwrap_at(times, row, PI));
@@ -89,6 +100,7 @@ pub(crate) fn osculating_ellipses<'py>(
         let axes: (Vec<_>, Vec<_>) = ellipses.iter().map(|ellipse| (ellipse.a, ellipse.b)).unzip();
         (axes, azimuths)
     });
+    signal.raised()?;
     Ok((axes.0.into_pyarray(py), axes.1.into_pyarray(py), azimuth.into_pyarray(py)))
 }
 
@@ -108,12 +120,11 @@ pub(crate) fn thread_pull<'py>(
     }
     let (size, each) = (positions.len() / 3, positions.len() / 3 / count.max(1));
     let triple = |numbers: &[f64], index: usize| std::array::from_fn(|k| numbers[3 * index + k]);
-    Ok(new_array(py, size, |out| {
-        for (index, pull) in out.iter_mut().enumerate() {
-            let [length, gravity, mass] = columns.row(index / each);
-            *pull = Pendulum { length, gravity, mass }.pull(triple(positions, index), triple(velocities, index));
-        }
-    }))
+    let pull = |index: usize| {
+        let [length, gravity, mass] = columns.row(index / each);
+        [Pendulum { length, gravity, mass }.pull(triple(positions, index), triple(velocities, index))]
+    };
+    Ok(collected(py, size, pull)?.into_pyarray(py))
 }
 
 /// Angles in order, continuous by whole periods; the first follows `start` where that is given.
@@ -168,7 +179,7 @@ pub(crate) fn judged_radii<'py>(
         let [a, b, length] = columns.row(index);
         kugelpendel::EllipseRates::radii(a, b, length)
     };
-    Ok((0..count).flat_map(radii).collect::<Vec<_>>().into_pyarray(py))
+    Ok(collected(py, count, radii)?.into_pyarray(py))
 }
 
 /// Frequency and precession as a motion shows them: `states` gives positions and velocities at ascending times.

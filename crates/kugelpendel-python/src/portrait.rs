@@ -1,6 +1,7 @@
 //! The portrait on the sphere, for the swings of one size in one clamp.
 
 use crate::columns::Numbers;
+use crate::signal::collected;
 use kugelpendel::{EllipseForm, Orbit, Verdict};
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -115,10 +116,9 @@ impl Portraits {
         if circularity.len() != longitude.len() {
             return Err(PyValueError::new_err("as many longitudes as circularities"));
         }
-        let numbers: Vec<f64> = py.detach(|| {
-            let forms = circularity.iter().zip(longitude);
-            forms.map(|(&circularity, &longitude)| number(&self.0, EllipseForm { circularity, longitude })).collect()
-        });
-        Ok(numbers.into_pyarray(py))
+        let row = |index: usize| {
+            [number(&self.0, EllipseForm { circularity: circularity[index], longitude: longitude[index] })]
+        };
+        Ok(collected(py, circularity.len(), row)?.into_pyarray(py))
     }
 }

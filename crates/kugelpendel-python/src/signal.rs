@@ -1,6 +1,8 @@
 //! Work that a signal, such as Ctrl-C, ends at once.
 
+use crate::columns::{Numbers, new_array};
 use pyo3::prelude::*;
+use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -85,6 +87,74 @@ impl Signal {
             }
         })
     }
+}
+
+/// Times of one motion that are worked out between two looks: some milliseconds. 1024 of the core's blocks, so that a
+/// grid is cut where the core cuts it, and has the same bits.
+const TIMES_TOGETHER: usize = 1024 * 384;
+
+/// Numbers that are worked out between two looks where each is a matter of a microsecond or less.
+const ROWS_TOGETHER: usize = 1 << 12;
+
+/// A new array of `width` numbers for each of so many times of each motion, filled in pieces: `fill` is told which
+/// motions, and which of the times if it is one motion only.
+///
+/// # Errors
+/// What a signal's handler has raised.
+pub(crate) fn filled<'py>(
+    py: Python<'py>,
+    [motions, times, width]: [usize; 3],
+    fill: impl Fn(Range<usize>, Range<usize>, &mut [f64]) + Send,
+) -> PyResult<Numbers<'py>> {
+    let signal = Signal::default();
+    let array = new_array(py, motions * times * width, |out| fill_in_pieces(&signal, [times, width], out, fill));
+    signal.raised()?;
+    Ok(array)
+}
+
+/// The same into an array that is there already.
+pub(crate) fn fill_in_pieces(
+    signal: &Signal,
+    [times, width]: [usize; 2],
+    out: &mut [f64],
+    fill: impl Fn(Range<usize>, Range<usize>, &mut [f64]),
+) {
+    if out.is_empty() {
+        return;
+    }
+    let together = (TIMES_TOGETHER / times).max(1);
+    for (group, rows) in out.chunks_mut(together * times * width).enumerate() {
+        let first = group * together;
+        let motions = first..first + rows.len() / (times * width);
+        let most = if motions.len() > 1 { times } else { TIMES_TOGETHER };
+        for (piece, out) in rows.chunks_mut(motions.len() * most * width).enumerate() {
+            let start = piece * most;
+            fill(motions.clone(), start..start + out.len() / (motions.len() * width), out);
+            if signal.ends_work() {
+                return;
+            }
+        }
+    }
+}
+
+/// N numbers for each of so many cases, one after the other.
+///
+/// # Errors
+/// What a signal's handler has raised.
+pub(crate) fn collected<const N: usize>(
+    py: Python<'_>,
+    count: usize,
+    row: impl Fn(usize) -> [f64; N] + Send,
+) -> PyResult<Vec<f64>> {
+    let signal = Signal::default();
+    let rows = py.detach(|| {
+        let goes_on = |index: &usize| !index.is_multiple_of(ROWS_TOGETHER) || !signal.ends_work();
+        let mut rows = Vec::with_capacity(N * count);
+        rows.extend((0..count).take_while(goes_on).flat_map(row));
+        rows
+    });
+    signal.raised()?;
+    Ok(rows)
 }
 
 pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {

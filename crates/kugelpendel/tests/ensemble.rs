@@ -22,7 +22,13 @@ fn an_ensemble_is_its_motions() {
     let frequencies = ensemble.map(|motion| [motion.frequency(), motion.precession()]);
     let times: Vec<f64> = (0..10).map(|k| f64::from(k) * 1.7).collect();
     let mut rows = vec![0.0; 1000 * 30];
-    ensemble.fill(Quantity::Position, Times::Scattered(&times), &mut rows);
+    ensemble.fill(0..1000, Quantity::Position, Times::Scattered(&times), &mut rows);
+    let mut some = vec![0.0; 90];
+    ensemble.fill(500..503, Quantity::Position, Times::Scattered(&times), &mut some);
+    assert_eq!(
+        rows[30 * 500..30 * 503].iter().map(|x| x.to_bits()).collect::<Vec<_>>(),
+        some.iter().map(|x| x.to_bits()).collect::<Vec<_>>()
+    );
     for index in 0..1000 {
         let (pendulum, launch) = case(index);
         let row = &rows[30 * index..30 * (index + 1)];

@@ -29,7 +29,10 @@ LEVELS = (1e-4, 1e-3, 1e-2, 1e-1)
 """Relative errors that reports and figures name: 0.01 %, 0.1 %, 1 %, 10 %."""
 
 _MOST = 4000
-"""Points along one side of a map: 16 million motions, of some 5 GB."""
+"""Points along one side of a map: 16 million motions, whose errors take 2 GB."""
+
+_TOGETHER = 1 << 17
+"""Motions of a map that are solved together."""
 
 
 class SeriesErrors(NamedTuple):
@@ -163,4 +166,19 @@ def validity_map(n: int = 400, largest: float = 0.99) -> ValidityMap:
         )
     a = np.arange(1, n + 1, dtype=np.float64) * (largest / n)
     ratio = np.linspace(0, 1, n)
-    return ValidityMap(a, ratio, validity(a, ratio[:, None] * a, 1.0))
+    # A few rows at a time, so that it can be interrupted and needs little memory.
+    groups = np.array_split(ratio[:, None], max(1, n * n // _TOGETHER))
+    return ValidityMap(a, ratio, _joined([validity(a, rows * a, 1.0) for rows in groups]))
+
+
+def _joined(parts: list[Validity]) -> Validity:
+    """Errors of many rows of ellipses, from those of groups of rows."""
+    of_orders = [[part.series[order] for part in parts] for order in ORDERS]
+    return Validity(
+        formula_25=np.concatenate([part.formula_25 for part in parts]),
+        formula_26=np.concatenate([part.formula_26 for part in parts]),
+        series={
+            order: SeriesErrors(*(np.concatenate(rates) for rates in zip(*found, strict=True)))
+            for order, found in zip(ORDERS, of_orders, strict=True)
+        },
+    )

@@ -8,6 +8,7 @@ use crate::given::pendulum::Pendulum;
 use crate::given::times::{Quantity, Times};
 #[cfg(feature = "threads")]
 use crate::sampling::threads::in_parallel;
+use std::ops::Range;
 
 /// Motions in a row, each good or with the reason why not.
 #[derive(Clone, Debug)]
@@ -67,27 +68,27 @@ impl Ensemble {
         numbers
     }
 
-    /// Positions or velocities, `out` divided evenly among the motions; NaN for the bad ones.
-    pub fn fill(&self, quantity: Quantity, times: Times<'_>, out: &mut [f64]) {
-        self.fill_rows(out, |motion, row| motion.fill(quantity, times, row));
+    /// Positions or velocities of some of the motions, `out` divided evenly among them; NaN for the bad ones.
+    pub fn fill(&self, motions: Range<usize>, quantity: Quantity, times: Times<'_>, out: &mut [f64]) {
+        self.fill_rows(motions, out, |motion, row| motion.fill(quantity, times, row));
     }
 
     /// Tensions, likewise.
-    pub fn fill_tension(&self, times: &[f64], out: &mut [f64]) {
-        self.fill_rows(out, |motion, row| motion.fill_tension(times, row));
+    pub fn fill_tension(&self, motions: Range<usize>, times: &[f64], out: &mut [f64]) {
+        self.fill_rows(motions, out, |motion, row| motion.fill_tension(times, row));
     }
 
-    fn fill_rows(&self, out: &mut [f64], fill: impl Fn(&ExactMotion, &mut [f64]) + Sync) {
+    fn fill_rows(&self, motions: Range<usize>, out: &mut [f64], fill: impl Fn(&ExactMotion, &mut [f64]) + Sync) {
         if out.is_empty() {
             return;
         }
-        let size = out.len() / self.len;
-        let fill = |(index, row): (usize, &mut [f64])| match self.motion(index) {
+        let size = out.len() / motions.len();
+        let fill = |(index, row): (usize, &mut [f64])| match self.motion(motions.start + index) {
             Ok(motion) => fill(motion, row),
             Err(_) => row.fill(f64::NAN),
         };
         #[cfg(feature = "threads")]
-        if self.len > 1 {
+        if motions.len() > 1 {
             use rayon::prelude::*;
             in_parallel(|| out.par_chunks_exact_mut(size).enumerate().for_each(fill));
             return;

@@ -9,7 +9,8 @@ use crate::numbers::arithmetic::Portable;
 use crate::numbers::double_double::{Dd, Pair};
 use crate::numbers::roots::{Bracket, zero_between};
 use crate::taylor::events::Event;
-use crate::taylor::walk::StateVector;
+use crate::taylor::walk::{Halt, StateVector, Stop};
+use std::cell::{Cell, RefCell};
 
 /// Pieces between two extremes of the distance from the axis, at the ends of which the azimuth is looked at.
 const PIECES: usize = 8;
@@ -30,6 +31,9 @@ struct Extreme {
     outer: bool,
     lowest: bool,
 }
+
+/// Extremes between two questions whether the work is to end.
+const PATIENCE: u32 = 64;
 
 /// The extremes of a path, as they come one after the other.
 enum Timetable {
@@ -115,10 +119,31 @@ impl ExactMotion {
     ///
     /// Outer and inner turning points on a cone are those of a slight wobble about it. In a vertical plane no azimuth is
     /// passed, since it changes on the axis only, and by a jump.
-    pub fn events(&self, event: Event, [start, end]: [f64; 2], most: usize) -> Vec<f64> {
+    ///
+    /// # Errors
+    /// An interruption.
+    pub fn events(&self, event: Event, between: [f64; 2], most: usize, stop: Stop<'_>) -> Result<Vec<f64>, Halt> {
+        let (stopped, mut asked) = (Cell::new(false), 0_u32);
+        let goes_on = || {
+            asked = asked.wrapping_add(1);
+            stopped.set(stopped.get() || (asked.is_multiple_of(PATIENCE) && stop()));
+            !stopped.get()
+        };
+        let found = self.events_while(event, between, most, goes_on);
+        if stopped.get() { Err(Halt::Interrupted) } else { Ok(found) }
+    }
+
+    fn events_while(
+        &self,
+        event: Event,
+        [start, end]: [f64; 2],
+        most: usize,
+        goes_on: impl FnMut() -> bool,
+    ) -> Vec<f64> {
+        let goes_on = RefCell::new(goes_on);
         let timetable = Timetable::of(self);
-        let extremes = timetable.around(start);
-        let breaks = timetable.breaks([start, end]);
+        let extremes = timetable.around(start).take_while(|_| goes_on.borrow_mut()());
+        let breaks = timetable.breaks([start, end]).take_while(|_| goes_on.borrow_mut()());
         let inside = |time: &f64| (start..=end).contains(time);
         let plan = Plan::new(self, &Times::Scattered(&[]));
         let position = |time: f64| {

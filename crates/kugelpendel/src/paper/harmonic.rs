@@ -16,8 +16,7 @@ use crate::numbers::double_double::Dd;
 use crate::sampling::blocks::{Form, SwingAndFrame, blocks};
 use crate::sampling::blocks::{Rotations, half, rotations};
 use crate::taylor::events::Event;
-use crate::taylor::walk::StateVector;
-use std::convert::Infallible;
+use crate::taylor::walk::{Halt, StateVector, Stop};
 use std::f64::consts::{PI, TAU};
 
 /// Powers of sin² ζ beyond the first: harmonics up to the thirteenth.
@@ -128,8 +127,14 @@ impl HarmonicMotion {
     }
 
     /// The times of an event from `start` to `end`, in s, at most `most` of them; none of a turning point on a circle.
-    pub fn events(&self, event: Event, between: [f64; 2], most: usize) -> Vec<f64> {
-        let states = |times: &[f64]| -> Result<Vec<StateVector>, Infallible> {
+    ///
+    /// # Errors
+    /// An interruption.
+    pub fn events(&self, event: Event, between: [f64; 2], most: usize, stop: Stop<'_>) -> Result<Vec<f64>, Halt> {
+        let states = |times: &[f64]| -> Result<Vec<StateVector>, Halt> {
+            if stop() {
+                return Err(Halt::Interrupted);
+            }
             let [positions, velocities] = [Quantity::Position, Quantity::Velocity].map(|quantity| {
                 let mut out = vec![0.0; 3 * times.len()];
                 self.fill(quantity, Times::Scattered(times), &mut out);
@@ -141,12 +146,10 @@ impl HarmonicMotion {
             Ok((0..times.len()).map(state).collect())
         };
         if self.semi_axes()[0] == 0.0 {
-            return Vec::new();
+            return Ok(Vec::new());
         }
         let step = PI / (24.0 * self.frequency);
-        let Ok(times) =
-            events_on_a_grid(event, between, [f64::NEG_INFINITY, f64::INFINITY], step, most, &self.pendulum, states);
-        times
+        events_on_a_grid(event, between, [f64::NEG_INFINITY, f64::INFINITY], step, most, &self.pendulum, states)
     }
 
     /// Fills `out`, three numbers to a time.

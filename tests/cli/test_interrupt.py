@@ -1,0 +1,142 @@
+"""Ctrl-C ends every command and every call that lasts at once."""
+
+import os
+import re
+import select
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import IO
+
+import pytest
+
+JOB = """
+[pendulum]
+length = "1 m"
+[launch]
+kind = "ellipse"
+a = "10 cm"
+b = "3 cm"
+{forces}
+[output]
+duration = "{duration}"
+step = "{step}"
+"""
+DRAG = '[drag]\nhalf_life = "1 h"'
+DESIGN = """
+[pendulum]
+length = "1 m"
+[swing]
+a = "5 cm"
+[site]
+latitude = "50 deg"
+[drag]
+linear = "1e-4 1/s"
+[suspension]
+anisotropy = "1e-6 rad/s"
+damping_anisotropy = "1e-6 1/s"
+[drive]
+push = "1e-5 m/s"
+phase = 0.4
+"""
+
+COMMANDS = {
+    "run": (["run"], JOB.format(forces="", duration="1000 h", step="10 ms")),
+    "run real": (["run"], JOB.format(forces=DRAG, duration="1e6 h", step="10 s")),
+    "compare": (["compare"], JOB.format(forces="", duration="40000 s", step="1 s")),
+    "design": (["design"], DESIGN),
+    "synth": (["synth", "--rate", "300"], JOB.format(forces=DRAG, duration="40 h", step="1 s")),
+    "derive": (["derive", "--format", "html"], None),
+    "derive check": (["derive", "--check"], None),
+}
+
+SETTING = """
+import numpy as np
+import kugelpendel as kp
+l, many = kp.Pendulum(1.0), np.linspace(0.1, 0.2, {n})
+"""
+CALLS = {
+    "envelope": "kp.EnvelopeMotion(l, kp.Launch.ellipse(0.1, 0.03), drag=kp.Drag(1e-9),"
+    " suspension=kp.Suspension(1e-3)).azimuth(1e9)",
+    "envelopes": "kp.EnvelopeMotion(l, kp.Launch.ellipse(many[:1000], 0.03), drag=kp.Drag(1e-9),"
+    " suspension=kp.Suspension(1e-3)).azimuth(1e8)",
+    "plane": "kp.PlaneMotion(l, kp.Launch.ellipse(0.1, 0.03)).position(1e8)",
+    "cubic": "kp.CubicMotion(l, kp.Launch.ellipse(0.1, 0.03)).position(1e8)",
+    "real": "kp.RealMotion(l, kp.Launch.ellipse(0.1, 0.03), drag=kp.Drag(1e-9)).position(1e8)",
+    "reals": "kp.RealMotion(l, kp.Launch.ellipse(many[:100], 0.03)).position(1e7)",
+    "sample": "kp.ExactMotion(l, kp.Launch.ellipse(0.1, 0.03)).sample(0.0, 0.1, 10**8)",
+    "exacts": "kp.ExactMotion(l, kp.Launch.ellipse(many, 0.03)).position(np.arange(10.0))",
+    "events": "kp.ExactMotion(l, kp.Launch.ellipse(0.1, 0.03)).events('radius', 0, 1e12, 0.5)",
+    "series events": "kp.SeriesMotion(l, kp.Launch.ellipse(0.1, 0.03), 4).events('outer', 0, 1e9)",
+    "map": "kp.validity_map(4000)",
+    "ellipse": "kp.ellipse(kp.ExactMotion(l, kp.Launch.ellipse(0.1, 0.03)), np.arange(1e7))",
+}
+
+DELAYS = (0.3, 1.2)
+"""s after the start of the work; a call that is over sooner begins again."""
+
+
+@pytest.mark.parametrize("delay", DELAYS)
+@pytest.mark.parametrize("name", CALLS)
+def test_a_call_is_interrupted(name: str, delay: float) -> None:
+    setting = SETTING.format(n=10**6 if name == "exacts" else 1000)
+    code = f"{setting}print(flush=True)\nwhile True:\n    {CALLS[name]}"
+    command = [sys.executable, "-c", code]
+    said, late = interrupted(command, delay, Path.cwd())
+    assert "KeyboardInterrupt" in said
+    assert late < noticed()
+
+
+@pytest.mark.parametrize("delay", DELAYS)
+@pytest.mark.parametrize("name", COMMANDS)
+def test_a_command_is_interrupted(name: str, delay: float, tmp_path: Path) -> None:
+    words, job = COMMANDS[name]
+    if job is not None:
+        (tmp_path / "job.toml").write_text(job)
+        words = [*words, "job.toml"]
+    code = (
+        "import sys, kugelpendel.__main__ as door\nfrom kugelpendel.cli import main\n"
+        f"sys.argv[1:] = {words!r}\nprint(flush=True)\ndoor.run()"
+    )
+    said, late = interrupted([sys.executable, "-c", code], delay, tmp_path)
+    kept = (
+        r"(interrupted; no file is left half-written|interrupted after .* in out/job-interrupted)"
+    )
+    assert re.search(f"^kugelpendel: {kept}", said, re.MULTILINE), said
+    assert late < noticed()
+    assert not list(tmp_path.rglob(".kugelpendel*"))
+
+
+def interrupted(command: list[str], delay: float, folder: Path) -> tuple[str, float]:
+    """Interrupt a process so long after its first line: what it said, and s until it said it."""
+    process = subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=folder, bufsize=0
+    )
+    assert process.stdout is not None
+    assert process.stderr is not None
+    try:
+        process.stdout.readline()
+        time.sleep(delay)
+        before = os.read(process.stderr.fileno(), 65536) if waiting(process.stderr, 0) else b""
+        process.send_signal(signal.SIGINT)
+        sent = time.perf_counter()
+        waiting(process.stderr, 30)
+        late = time.perf_counter() - sent
+        _, said = process.communicate(timeout=30)
+    finally:
+        process.kill()
+        process.wait()
+    return (before + said).decode(), late
+
+
+def waiting(stream: IO[bytes], patience: float) -> bool:
+    """Whether there is something to read within so many seconds."""
+    return bool(select.select([stream], [], [], patience)[0])
+
+
+def noticed() -> float:
+    """A fifth of a second, and more where the processors have more to do than one thing each."""
+    queue = os.getloadavg()[0] / (os.cpu_count() or 1)
+    return 0.2 + 0.3 * max(0.0, queue - 1.0)
