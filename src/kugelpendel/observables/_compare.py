@@ -30,6 +30,9 @@ _SWINGS = 20
 _MOST_SWINGS = 20_000
 """Longer comparisons are refused: two of the motions are integrated step by step."""
 
+_PIECES = 50
+"""Pieces of a motion that is integrated, after each of which somebody is told."""
+
 
 @dataclass(frozen=True)
 class Compared:
@@ -114,6 +117,8 @@ def compare(
     launch: Launch,
     duration: float | None = None,
     orders: Iterable[int] = (6, 12),
+    *,
+    done: Callable[[int, int], None] | None = None,
 ) -> Comparison:
     """Let every motion start from one launch and follow how far each goes astray.
 
@@ -125,6 +130,9 @@ def compare(
         s; 20 swings unless given.
     orders
         Of `SeriesMotion`: even, 2 … 12.
+    done
+        Told, now and then, how many of how many positions are worked out: of those that are
+        integrated, since the others take no time beside them.
 
     Returns
     -------
@@ -158,11 +166,12 @@ def compare(
     ]
     times = _times(exact, duration)
     truth = exact.sample(0.0, float(times[1]), len(times))
+    told = _Told(done, len(times) * sum(rung.rates is measured_rates for rung in rungs))
     return Comparison(
         exact=exact,
         times=times,
         amplitude=float(exact.amplitude),
-        rows=tuple(_compared(rung, exact, times, truth) for rung in rungs),
+        rows=tuple(_compared(rung, exact, times, truth, told) for rung in rungs),
     )
 
 
@@ -208,7 +217,35 @@ def _times(exact: ExactMotion, duration: float | None) -> Numbers:
     return span / (count - 1) * np.arange(count, dtype=np.float64)
 
 
-def _compared(rung: _Rung, exact: ExactMotion, times: Numbers, truth: Numbers) -> Compared:
+@dataclass
+class _Told:
+    """Who is told of the work, how much there is, and how much of it is done."""
+
+    done: Callable[[int, int], None] | None
+    total: int
+    taken: int = 0
+
+    def of(self, count: int) -> None:
+        """Say that so many more positions are worked out."""
+        self.taken += count
+        if self.done is not None:
+            self.done(self.taken, self.total)
+
+
+def _positions(motion: Motion, times: Numbers, told: _Told) -> Numbers:
+    """Positions at evenly spread times from 0 on, m: (n, 3)."""
+    if not isinstance(motion, CubicMotion | PlaneMotion):
+        return motion.sample(0.0, float(times[1]), len(times))
+    found: list[Numbers] = []
+    for piece in np.array_split(times, _PIECES):
+        found.append(motion.position(piece))
+        told.of(len(piece))
+    return np.concatenate(found)
+
+
+def _compared(
+    rung: _Rung, exact: ExactMotion, times: Numbers, truth: Numbers, told: _Told
+) -> Compared:
     row = Compared(rung.name, rung.equation)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
@@ -217,7 +254,7 @@ def _compared(rung: _Rung, exact: ExactMotion, times: Numbers, truth: Numbers) -
             # (13) knows no sphere: beyond the support's level it runs away, and takes long for it.
             known = (times <= motion.span[1]) & ~np.logical_or.accumulate(truth[:, 2] < 0)
             errors = np.full(len(times), np.nan)
-            found = motion.sample(0.0, float(times[1]), int(known.sum()))
+            found = _positions(motion, times[known], told)
             errors[known] = _core.distances(found.ravel(), truth[known].ravel())
         except KugelpendelError as error:
             return replace(row, reason=str(error))

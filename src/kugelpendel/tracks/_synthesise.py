@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -21,6 +21,9 @@ _FAR = 50.0
 
 _MOST = 50_000_000
 
+_PIECES = 50
+"""Pieces of a track, after each of which somebody is told."""
+
 
 def synthesise(
     motion: Motion,
@@ -38,6 +41,7 @@ def synthesise(
     tilt_axis: float = 0.0,
     pixel: float | None = None,
     seed: int = 0,
+    done: Callable[[int, int], None] | None = None,
 ) -> Track:
     """A track as a camera would have recorded it of this motion.
 
@@ -73,6 +77,8 @@ def synthesise(
         Size of a pixel in m: places are whole pixels then, and the unit is "px".
     seed
         The same one gives the same track.
+    done
+        Told, now and then, how many of how many stretches are followed.
 
     Raises
     ------
@@ -104,7 +110,7 @@ def synthesise(
     keep = np.ones(count, dtype=bool)
     for begin, length in gaps:
         keep &= (time < begin) | (time >= begin + length)
-    place = motion.position(start + time)
+    place = _positions(motion, start + time, done)
     z: NDArray[np.complex128] = place[:, 0] + 1j * place[:, 1]
     z = z - 0.5 * tilt * np.exp(2j * tilt_axis) * z.conj()
     spoilt = np.stack([_noise(random, colour, time, rate) for _ in range(2)])
@@ -117,6 +123,16 @@ def synthesise(
     if pixel is None:
         return Track(time[keep], z.real, z.imag)
     return Track(time[keep], np.rint(z.real / pixel), np.rint(z.imag / pixel), unit="px")
+
+
+def _positions(motion: Motion, time: Numbers, done: Callable[[int, int], None] | None) -> Numbers:
+    """Positions at times in order, (n, 3), in pieces."""
+    found: list[Numbers] = []
+    for piece in np.array_split(time, _PIECES):
+        found.append(motion.position(piece))
+        if done is not None:
+            done(len(found), _PIECES)
+    return np.concatenate(found)
 
 
 def _noise(random: np.random.Generator, colour: Colour, time: Numbers, rate: float) -> Numbers:

@@ -12,6 +12,7 @@ from kugelpendel.cli.job_file.job import read_job
 from kugelpendel.cli.json_text import json_text
 from kugelpendel.cli.output import staged
 from kugelpendel.cli.terminal.describe import describe_launch
+from kugelpendel.cli.terminal.progress import Progress
 from kugelpendel.cli.terminal.streams import write_json
 
 if TYPE_CHECKING:
@@ -46,7 +47,7 @@ def compare(file: Path, folder: Path | None, as_json: bool) -> None:
             f"has {tables}; leave that out, or use `kugelpendel run`."
         )
     with job.document.named():
-        comparison = kp.compare(job.pendulum, job.launch, job.grid.duration)
+        comparison = _compared(job)
     target = folder if folder is not None else Path("out") / job.file.stem
     results = _as_json(job, comparison)
     with staged(target, (FIGURE, RESULTS)) as temporary:
@@ -60,6 +61,11 @@ def compare(file: Path, folder: Path | None, as_json: bool) -> None:
         print(comparison_report(job, comparison))
         files = [FIGURE, RESULTS] if job.figure else [RESULTS]
         print(f"\nIn {target}: {', '.join(files)}")
+
+
+def _compared(job: Job) -> kp.Comparison:
+    with Progress("Following the motions", 1.0) as progress:
+        return kp.compare(job.pendulum, job.launch, job.grid.duration, done=progress.reach)
 
 
 def _as_json(job: Job, comparison: kp.Comparison) -> str:

@@ -12,7 +12,6 @@ from kugelpendel.cli.design.design_file import read_questions
 from kugelpendel.cli.design.report import design_report
 from kugelpendel.cli.json_text import json_text
 from kugelpendel.cli.output import staged
-from kugelpendel.cli.terminal.estimate import TimeEstimate
 from kugelpendel.cli.terminal.progress import Progress
 from kugelpendel.cli.terminal.streams import write_json
 
@@ -63,17 +62,7 @@ def design(file: Path, folder: Path | None, as_json: bool, checked: bool) -> Non
 
 
 def _answered(questions: Questions, checked: bool) -> kp.Design:
-    with Progress("Running the checks", 1000) as progress:
-        shown = 0
-        estimate = TimeEstimate(1.0, "leaves everything as it was")
-
-        def done(taken: int, steps: int) -> None:
-            nonlocal shown
-            now = 1000 * taken // steps
-            progress.advance(now - shown)
-            shown = now
-            estimate.after(taken / steps)
-
+    with Progress("Running the checks", 1.0) as progress:
         return kp.design(
             questions.pendulum,
             questions.a,
@@ -86,7 +75,7 @@ def _answered(questions: Questions, checked: bool) -> kp.Design:
             radius=questions.radius,
             time=questions.time,
             checked=checked,
-            done=done,
+            done=progress.reach,
         )
 
 

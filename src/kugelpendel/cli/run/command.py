@@ -64,7 +64,7 @@ def _run_ideal(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]
     results = ideal_json.as_json(job, summary, files)
     replaced = (*FILES.values(), FIGURE, ideal_json.FILE)
     with staged(target, replaced, (*files, ideal_json.FILE)) as temporary:
-        with Progress("Writing the track", job.grid.count) as progress:
+        with Progress("Writing the track", job.grid.count, ctrl_c=None) as progress:
             write_track(temporary / track, motion, job.grid, job.format, progress.advance)
         if job.figure:
             title = f"{title}: {describe_launch(job)}"

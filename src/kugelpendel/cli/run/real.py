@@ -21,7 +21,7 @@ from kugelpendel.cli.run import ideal_json
 from kugelpendel.cli.run.real_json import real_json
 from kugelpendel.cli.run.real_report import real_report
 from kugelpendel.cli.terminal.describe import describe_launch
-from kugelpendel.cli.terminal.estimate import StopRequest, TimeEstimate
+from kugelpendel.cli.terminal.estimate import StopRequest
 from kugelpendel.cli.terminal.interrupted import Interrupted
 from kugelpendel.cli.terminal.progress import Progress
 from kugelpendel.cli.terminal.streams import complain
@@ -124,10 +124,10 @@ def _follow(
     """
     grid, rows = job.grid, 0
     end = grid.duration
-    follower, estimate = Follower(motion), TimeEstimate(end, "keeps what is done")
+    follower = Follower(motion)
     asked = grid.count <= WORTH_A_TRIAL
     with (
-        Progress("Following the pendulum", end) as progress,
+        Progress("Following the pendulum", end, "keeps what is done") as progress,
         WRITERS[job.format](path, None) as write,
     ):
         while follower.time < end and not follower.ending and not request.stop:
@@ -150,7 +150,6 @@ def _follow(
                 if size > LARGE:
                     complain(f"the track takes about {spell_bytes(size, 2)}.")
             progress.advance(leg.until - leg.start)
-            estimate.after(leg.until)
     return follower.summary(), rows
 
 

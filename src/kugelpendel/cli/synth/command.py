@@ -10,6 +10,7 @@ from kugelpendel.cli.fit.asked import number_of, quantity, quantity_of, share
 from kugelpendel.cli.job_file.job import read_job
 from kugelpendel.cli.job_file.kinds import ANGLE, LENGTH, TIME
 from kugelpendel.cli.output import write_file
+from kugelpendel.cli.terminal.progress import Progress
 from kugelpendel.cli.terminal.streams import write_bytes
 from kugelpendel.spelling import grouped, spell
 
@@ -34,21 +35,23 @@ def synth(options: argparse.Namespace) -> int:
     rate = number_of(options.rate, "--rate", least=0.0)
     with job.document.named():
         motion = kp.RealMotion(job.pendulum, job.launch, job.forces)
-    track = kp.tracks.synthesise(
-        motion,
-        job.grid.duration if duration is None else duration,
-        rate,
-        noise=quantity_of(options.noise, LENGTH, "--noise"),
-        colour=_colour(options.colour),
-        noise_ratio=number_of(options.noise_ratio, "--noise-ratio", least=0.0),
-        jitter=share(options, "jitter"),
-        gaps=[_gap(text) for text in options.gap],
-        outliers=share(options, "outliers"),
-        tilt=share(options, "tilt"),
-        tilt_axis=quantity_of(options.tilt_axis, ANGLE, "--tilt-axis"),
-        pixel=quantity(options, "pixel", LENGTH),
-        seed=_seed(options.seed),
-    )
+    with Progress("Following the pendulum", 1.0) as bar:
+        track = kp.tracks.synthesise(
+            motion,
+            job.grid.duration if duration is None else duration,
+            rate,
+            noise=quantity_of(options.noise, LENGTH, "--noise"),
+            colour=_colour(options.colour),
+            noise_ratio=number_of(options.noise_ratio, "--noise-ratio", least=0.0),
+            jitter=share(options, "jitter"),
+            gaps=[_gap(text) for text in options.gap],
+            outliers=share(options, "outliers"),
+            tilt=share(options, "tilt"),
+            tilt_axis=quantity_of(options.tilt_axis, ANGLE, "--tilt-axis"),
+            pixel=quantity(options, "pixel", LENGTH),
+            seed=_seed(options.seed),
+            done=bar.reach,
+        )
     text = "".join(_lines(track))
     out = options.out or Path(f"{job.file.stem}-track.csv")
     if out == _STDOUT:

@@ -1,10 +1,12 @@
-"""A progress bar for work that takes longer than a person waits without wondering."""
+"""What is shown of work that takes longer than a person waits without wondering."""
 
 from __future__ import annotations
 
 import sys
 import time
 from typing import TYPE_CHECKING
+
+from kugelpendel.cli.terminal.estimate import TimeEstimate
 
 if TYPE_CHECKING:
     from types import TracebackType
@@ -15,7 +17,9 @@ _PATIENCE = 1.0  # s
 
 
 class Progress:
-    """Counts work done; draws a bar on stderr once it has taken a second, and only on a terminal.
+    """Counts work done; says how long the whole will take, and draws a bar.
+
+    Both on stderr: the bar once the work has taken a second, and only on a terminal.
 
     Parameters
     ----------
@@ -23,12 +27,17 @@ class Progress:
         What is being done.
     total
         How much work there is, in the units of `advance`.
+    ctrl_c
+        What Ctrl-C does, said beside the estimate; None where the work was announced before.
     """
 
-    def __init__(self, title: str, total: float) -> None:
+    def __init__(
+        self, title: str, total: float, ctrl_c: str | None = "leaves everything as it was"
+    ) -> None:
         self._title = title
         self._total = total
         self._done = 0.0
+        self._estimate = None if ctrl_c is None else TimeEstimate(total, ctrl_c)
         self._started = time.monotonic()
         self._bar: rich.progress.Progress | None = None
 
@@ -38,10 +47,16 @@ class Progress:
     def advance(self, amount: float) -> None:
         """Count work as done."""
         self._done += amount
+        if self._estimate is not None:
+            self._estimate.after(self._done)
         if self._bar is None and self._is_due():
             self._bar = self._draw()
         if self._bar is not None:
             self._bar.update(self._bar.task_ids[0], completed=self._done)
+
+    def reach(self, taken: int, steps: int) -> None:
+        """Count as much work as done as so many of so many steps are of all of it."""
+        self.advance(self._total * taken / steps - self._done)
 
     def __exit__(
         self,
