@@ -52,8 +52,9 @@ bench: $(STAMPS)/package $(STAMPS)/bench  ## every speed ratio against the peers
 tables: $(STAMPS)/package  ## what a job file may say, from its schema into README.md and docs
 	$(BIN)/python docs/job_files.py
 
-study: $(STAMPS)/package $(STAMPS)/check  ## how often the intervals of a fitted track hold, into docs/tracks.md; half an hour
+study: $(STAMPS)/package $(STAMPS)/check  ## how often intervals of fitted tracks and bounds of averaged motions hold; an hour
 	nice $(BIN)/python -m studies.tracks --write docs/tracks.md
+	nice $(BIN)/python -m studies.mixtures --write docs/real.md
 
 fuzz: $(STAMPS)/package $(STAMPS)/check  ## 10 000 spoilt files, 5000 odd calls, 40 kills: an answer or a sentence
 	$(BIN)/python -m tests.fuzz.run $(FUZZ)

@@ -16,7 +16,7 @@ from kugelpendel.motion._budget import CAUSES, PrecessionBudget
 from kugelpendel.motion._forced import ForcedMotion
 from kugelpendel.motion._kept import kept
 from kugelpendel.motion._times import checked_grid, checked_times
-from kugelpendel.parameters import ForceParts, Forces, Launch, Numbers, Pendulum
+from kugelpendel.parameters import ForceParts, Forces, Launch, Numbers, Pendulum, one_truth
 
 _AHEAD = 1e8
 """s: how far an end of the motion is looked for, some three years."""
@@ -82,7 +82,8 @@ class EnvelopeMotion(ForcedMotion):
     Semi-axes are the turning radii of the mean motion. A drive's pushes and the horizontal part of
     the Earth's rotation come and go within a swing, about that mean; but for these, place and
     velocity at t = 0 are those of the launch. What is left out is of second order in the forces;
-    `trust` says how far the azimuth may be off over a day (docs/averaging.py measures it).
+    `trust` says how far the azimuth may be off over a day; docs/averaging.py measures it force by
+    force, studies/mixtures.py for mixtures of them.
     Sources: the averages are in docs/conventions.md; Olsson (1981), eq. (25), (26).
     """
 
@@ -96,7 +97,7 @@ class EnvelopeMotion(ForcedMotion):
         **parts: Unpack[ForceParts],
     ):
         self._give(pendulum, launch, forces, parts)
-        self._exact = bool(exact)
+        self._exact = one_truth(exact, "The option exact")
         self._motions = _core.EnvelopeMotions(*self._columns, self._exact)
         self._refuse_bad()
         name, strength = self._strongest
