@@ -264,3 +264,13 @@ def test_progress_counts_to_its_end() -> None:
               done=lambda k, n: seen.append((k, n)))  # fmt: skip
     assert [k for k, _ in seen] == list(range(1, len(seen) + 1))
     assert {n for _, n in seen} == {len(seen)}
+
+
+def test_the_share_of_a_clamp_in_a_straight_swing_is_nothing() -> None:
+    pendulum, site = kp.Pendulum(20.0, 9.81), kp.Site(math.radians(50.0))
+    for axis in (0.3, 1.2, math.radians(30)):
+        clamp = kp.Suspension(2e-6, axis, 0.0, axis)
+        found = kp.design(pendulum, 1.0, site=site, suspension=clamp, checked=False)
+        assert found["share_anisotropy"].value == 0.0
+        wide = kp.design(pendulum, 1.0, 0.005, site=site, suspension=clamp, checked=False)
+        assert abs(wide["share_anisotropy"].value) > 1e-10

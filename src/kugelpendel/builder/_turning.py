@@ -15,6 +15,7 @@ from kugelpendel.parameters import Launch
 
 _DAY = 86400.0  # s
 _SWINGS = 10  # over which the checks take a mean
+_ROUNDING = 1e-14  # of a rate beside those of which it is made
 
 
 def foucault(case: Case) -> Iterator[DesignAnswer]:
@@ -110,9 +111,13 @@ def budget(case: Case) -> dict[str, float]:
     shares, _ = _core.budget_at_start(*case.averaged(case.b, without))
     parts: dict[str, float] = dict(zip(CAUSES, shares, strict=True))
     del parts["drive"]
-    if case.forces.suspension is None:
+    clamp = case.forces.suspension
+    if clamp is None:
         del parts["anisotropy"], parts["damping"]
-    return parts
+        return parts
+    # Of a straight swing each share of the clamp is the rest of a subtraction.
+    full = max(abs(case.earth), abs(float(clamp.anisotropy)), abs(float(clamp.damping_anisotropy)))
+    return {cause: 0.0 if abs(rate) < _ROUNDING * full else rate for cause, rate in parts.items()}
 
 
 def judged(case: Case, expected: float, measured: float, said: str) -> DesignCheck:

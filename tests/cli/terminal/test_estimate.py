@@ -22,6 +22,7 @@ def test_long_work_is_announced(
     now = [100.0]
     monkeypatch.setattr(estimate.time, "monotonic", lambda: now[0])
     waiting = TimeEstimate(1.0, "leaves everything as it was")
+    waiting.after(0.0)
     now[0] += at
     waiting.after(done)
     waiting.after(done)

@@ -1,6 +1,7 @@
 """Columns: no number is cut at any width, text is wrapped, and a file has its own width."""
 
 import io
+import re
 
 import pytest
 from hypothesis import given
@@ -93,3 +94,12 @@ def test_nothing_is_lost_when_text_is_wrapped(text: list[str]) -> None:
     assert all(len(line) <= max(tables.room(), 60) for line in said.splitlines())
     beside = tables.listing([("name", " ".join(text))]).removeprefix("name")
     assert "".join(words(beside)) == "".join(text)
+
+
+def test_a_number_keeps_its_unit(monkeypatch: pytest.MonkeyPatch) -> None:
+    text = " ".join(f"it turns by {k}.46 °/h over {k} h and {k} %," for k in range(10, 40))
+    for width in range(60, 101):
+        monkeypatch.setenv("COLUMNS", str(width))
+        for said in (tables.paragraph(text), tables.facts([("Name", text)])):
+            assert "\ue000" not in said
+            assert not re.search(r"\d$", said, re.MULTILINE)

@@ -25,6 +25,8 @@ _SIGNALS = (signal.SIGINT, signal.SIGTERM)
 class TimeEstimate:
     """Says once on stderr how long the whole will take, when that is long.
 
+    The clock begins with the first piece done: before it, whatever is needed had to be imported.
+
     Parameters
     ----------
     total
@@ -36,16 +38,20 @@ class TimeEstimate:
     def __init__(self, total: float, ctrl_c: str) -> None:
         self._total = total
         self._ctrl_c = ctrl_c
-        self._started = time.monotonic()
+        self._first: tuple[float, float] | None = None
         self._said = False
 
     def after(self, done: float) -> None:
         """Judge by the work that is done."""
-        taken = time.monotonic() - self._started
-        if self._said or taken < _TRIAL or done <= 0:
+        now = time.monotonic()
+        if self._first is None:
+            self._first = (now, done)
+        started, before = self._first
+        taken = now - started
+        if self._said or taken < _TRIAL or done <= before:
             return
         self._said = True
-        whole = taken * self._total / done
+        whole = taken * self._total / (done - before)
         if whole > _WORTH_SAYING:
             sentence = f"this takes about {spell(whole, 's', 2)}; Ctrl-C {self._ctrl_c}."
             print(f"kugelpendel: {sentence}", file=sys.stderr)

@@ -8,6 +8,7 @@ wide is printed in parts below one another, and text is wrapped.
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import sys
 from itertools import groupby
@@ -27,6 +28,13 @@ _WIDEST_TEXT = 100
 _NAME = 17
 _VALUE = 21
 """Least widths of the columns of `facts`, so that those of several reports stand alike."""
+
+
+_TIE = "\ue000"
+"""Stands for a blank at which no line is broken; rich breaks lines at every blank there is."""
+
+_BOUND = re.compile(r"(?<=[0-9²³⁴]) (?=[^\W\d]|[%°])")
+"""The blank between a number and its unit, or what it counts."""
 
 
 def room() -> int:
@@ -83,7 +91,7 @@ def paragraph(text: str) -> str:
     """Wrap a text to lines."""
     from rich.text import Text
 
-    return _lines(Text(text, overflow="fold"), min(room(), _WIDEST_TEXT))
+    return _lines(Text(_BOUND.sub(_TIE, text), overflow="fold"), min(room(), _WIDEST_TEXT))
 
 
 def numbers(
@@ -152,7 +160,7 @@ def _texts(cells: Iterable[str]) -> list[RenderableType]:
     """Cells in which nothing is markup, so that "[1]" is not taken for a style."""
     from rich.text import Text
 
-    return [Text(cell, overflow="fold") for cell in cells]
+    return [Text(_BOUND.sub(_TIE, cell), overflow="fold") for cell in cells]
 
 
 def _width(table: Table) -> int:
@@ -169,5 +177,5 @@ def _lines(what: RenderableType, width: int) -> str:
     console = Console(highlight=False, width=width, color_system=None, force_terminal=False)
     with console.capture() as captured:
         console.print(what)
-    lines = (line.rstrip() for line in captured.get().splitlines())
+    lines = (line.replace(_TIE, " ").rstrip() for line in captured.get().splitlines())
     return "\n".join(line for line in lines if line)
