@@ -26,6 +26,7 @@ from kugelpendel.parameters import (
     Wire,
     gathered,
     one_number,
+    one_truth,
     require_type,
 )
 
@@ -61,9 +62,11 @@ class Design:
     def __getitem__(self, key: str) -> DesignAnswer:
         """The answer of that key. Raises InvalidInput for a key that no answer has."""
         for answer in self.answers:
-            if answer.key == key:
+            if isinstance(key, str) and answer.key == key:  # pyright: ignore[reportUnnecessaryIsInstance]
                 return answer
-        raise InvalidInput(f"This design has no answer {key!r}; it has {', '.join(self.keys())}.")
+        raise InvalidInput(
+            f"This design has no answer {key!r:.60}; it has {', '.join(self.keys())}."
+        )
 
     def __contains__(self, key: object) -> bool:
         """Whether an answer has that key."""
@@ -84,7 +87,7 @@ class Design:
         linear, quadratic = (0.0, 0.0) if drag is None else drag.values
         omega = self.forces.effective_pendulum(self.pendulum).angular_frequency
         fading = _core.Decay(float(linear), float(quadratic), float(omega))
-        return fading.after(self.a, float(time))
+        return fading.after(self.a, one_number(time, "The time", "s"))
 
 
 def design(
@@ -173,7 +176,8 @@ def design(
     acting = gathered("A design", forces, parts)
     if wire is not None:
         require_type("The wire", wire, Wire)
-    case = Case(pendulum, *numbers, acting, wire, *asked, checked, worked)
+    is_checked = one_truth(checked, "The option checked")
+    case = Case(pendulum, *numbers, acting, wire, *asked, is_checked, worked)
     count = len(_QUESTIONS) + steps(case)
     answers: list[DesignAnswer] = []
     for question in _QUESTIONS:

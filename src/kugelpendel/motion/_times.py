@@ -66,7 +66,7 @@ def checked_grid(start: float, step: float, count: int, numbers_each: int) -> in
 def checked_count(count: int, least: int, name: str) -> int:
     """The count as an int, where it is a whole number of any type."""
     try:
-        whole = not isinstance(count, str) and float(count).is_integer()
+        whole = not isinstance(count, str | bytes) and float(count).is_integer()
     except (TypeError, ValueError, OverflowError):
         whole = False
     if not whole or count < least:

@@ -106,10 +106,10 @@ class Comparison:
     def row(self, name: str) -> Compared:
         """The motion of that name. Raises InvalidInput where there is none."""
         for row in self.rows:
-            if row.name == name:
+            if isinstance(name, str) and row.name == name:  # pyright: ignore[reportUnnecessaryIsInstance]
                 return row
         names = ", ".join(row.name for row in self.rows)
-        raise InvalidInput(f"No motion of this comparison is {name!r}; there are {names}.")
+        raise InvalidInput(f"No motion of this comparison is {name!r:.60}; there are {names}.")
 
 
 def compare(
@@ -157,11 +157,17 @@ def compare(
             f"One launch can be compared at a time, and this is an ensemble of shape "
             f"{exact.shape}; pick one launch and one pendulum."
         )
+    try:
+        wanted = tuple(orders)
+    except TypeError:
+        raise InvalidInput(
+            f"The orders must be several, such as (6, 12), but they are {orders!r:.60}."
+        ) from None
     rungs = [
         _Rung("LinearMotion", "(16)", LinearMotion, _own_rates),
         _Rung("OlssonMotion", "(20, 25, 26)", OlssonMotion, _own_rates),
         _Rung("CubicMotion", "(13)", CubicMotion, measured_rates),
-        *(_series(order) for order in orders),
+        *(_series(order) for order in wanted),
         _Rung("PlaneMotion", "(12)", PlaneMotion, measured_rates),
     ]
     times = _times(exact, duration)
@@ -189,10 +195,10 @@ def _series(order: int) -> _Rung:
     def make(pendulum: Pendulum, launch: Launch) -> Motion:
         return SeriesMotion(pendulum, launch, order)
 
-    if order not in ORDERS:
+    if not isinstance(order, int) or order not in ORDERS:  # pyright: ignore[reportUnnecessaryIsInstance]
         raise InvalidInput(
             f"The order of a series to compare must be one of {', '.join(map(str, ORDERS))}, but "
-            f"it is {order}."
+            f"it is {order!r:.60}."
         )
     return _Rung(f"SeriesMotion({order})", "series", make, _own_rates)
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 from kugelpendel import _core
 from kugelpendel.motion import Motion
-from kugelpendel.parameters import InvalidInput, Numbers
+from kugelpendel.parameters import InvalidInput, Numbers, one_number, require_type
 
 
 class Rates(NamedTuple):
@@ -34,7 +35,8 @@ def measured_rates(motion: Motion, half_swing: float) -> Rates:
     Raises
     ------
     InvalidInput
-        For an ensemble, and where the motion ends before 66 half swings.
+        For what is no motion, an ensemble, a half swing that is not positive and finite, and where
+        the motion ends before 66 half swings.
 
     Notes
     -----
@@ -42,6 +44,10 @@ def measured_rates(motion: Motion, half_swing: float) -> Rates:
     by ε/(1 − b²/a²) and azimuths by ε, so the frequency is good to ε/64(1 − b²/a²) and the
     precession to ε/(turned angle), relative.
     """
+    require_type("The motion", motion, Motion, way_out="write kp.ExactMotion(pendulum, launch)")
+    swing = one_number(half_swing, "The half swing", "s")
+    if not 0 < swing < math.inf:
+        raise InvalidInput(f"The half swing must be positive and finite, but it is {swing} s.")
     if motion.shape != ():
         raise InvalidInput(
             f"Rates are measured on a single motion, but this is an ensemble of shape "
@@ -51,4 +57,4 @@ def measured_rates(motion: Motion, half_swing: float) -> Rates:
     def states(times: Numbers) -> tuple[Numbers, Numbers]:
         return motion.position(times), motion.velocity(times)
 
-    return Rates(*_core.measured_rates(states, half_swing))
+    return Rates(*_core.measured_rates(states, swing))

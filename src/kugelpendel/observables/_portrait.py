@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Unpack
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from kugelpendel import _core
 from kugelpendel.motion import EnvelopeMotion, RealMotion
+from kugelpendel.motion._times import check_memory, checked_count
 from kugelpendel.observables._ellipse import ellipse
 from kugelpendel.parameters import (
     ForceParts,
@@ -19,9 +19,11 @@ from kugelpendel.parameters import (
     InvalidInput,
     Numbers,
     Pendulum,
+    as_array,
     gathered,
     one_number,
     require_type,
+    together,
 )
 
 VERDICTS = ("round", "to and fro", "stands")
@@ -166,10 +168,11 @@ class Portrait:
                 f"A portrait is of one pendulum, but the motion has the shape {motion.shape}; draw "
                 f"each case by itself."
             )
+        time = one_number(t, "The time", "s")
         if isinstance(motion, EnvelopeMotion):
-            (a, b), azimuth = motion.semi_axes(t), motion.azimuth(t)
+            (a, b), azimuth = motion.semi_axes(time), motion.azimuth(time)
         else:
-            a, b, azimuth = ellipse(motion, t)
+            a, b, azimuth = ellipse(motion, time)
         axis = math.remainder(float(azimuth), math.pi)
         return cls(motion.pendulum, float(a), float(b), axis, motion.forces)
 
@@ -207,7 +210,9 @@ class Portrait:
 
         Both have the shape (count,); places are evenly apart in an angle, not in time.
         """
-        return self._core.path(self.orbit.circularity, self.orbit.longitude, int(count))
+        places = checked_count(count, 1, "The count of places")
+        check_memory(places, 2)
+        return self._core.path(self.orbit.circularity, self.orbit.longitude, places)
 
     @cached_property
     def equilibria(self) -> tuple[Equilibrium, ...]:
@@ -219,10 +224,18 @@ class Portrait:
 
         δ√(1−u²) cos φ − 2Ω_z u + μu²/2, constant on every orbit.
         """
-        u, phi = np.broadcast_arrays(np.asarray(circularity, float), np.asarray(longitude, float))
+        u, phi = _places(circularity, longitude)
         return self._core.invariants(u.ravel(), phi.ravel()).reshape(u.shape)
 
     def mean_rate(self, circularity: ArrayLike, longitude: ArrayLike) -> Numbers:
         """Mean rate of the plane from places on the sphere, rad/s; 0 where it does not go round."""
-        u, phi = np.broadcast_arrays(np.asarray(circularity, float), np.asarray(longitude, float))
+        u, phi = _places(circularity, longitude)
         return self._core.rates(u.ravel(), phi.ravel()).reshape(u.shape)
+
+
+def _places(circularity: ArrayLike, longitude: ArrayLike) -> tuple[Numbers, ...]:
+    return together(
+        "circularity and longitude",
+        as_array(circularity, "The circularity", ""),
+        as_array(longitude, "The longitude", "rad"),
+    )

@@ -18,8 +18,10 @@ from kugelpendel.parameters import (
     Numbers,
     Pendulum,
     Scalars,
+    as_array,
     as_numbers,
     column,
+    one_number,
 )
 
 ORDERS = (2, 4, 6, 8, 10, 12)
@@ -83,9 +85,16 @@ class ValidityMap:
 
         `error` is one of those in `errors`. Between two sizes of the map it counts as a power of
         a/l. 0 where the smallest ellipses of the map exceed the level, infinite where none does.
+        Raises InvalidInput for an error of another shape, and a level that is no number.
         """
-        worst = np.abs(np.asarray(error)).max(axis=0)
-        return _core.reach(self.a_over_l, worst, level)
+        errors = as_array(error, "The error", "")
+        if errors.shape != (len(self.b_over_a), len(self.a_over_l)):
+            raise InvalidInput(
+                f"The error must be one of the map's, such as map.errors.formula_25, but its shape "
+                f"is {errors.shape}."
+            )
+        worst = np.abs(errors).max(axis=0)
+        return _core.reach(self.a_over_l, worst, one_number(level, "The level", ""))
 
 
 def validity(a: ArrayLike, b: ArrayLike, length: ArrayLike) -> Validity:
@@ -159,12 +168,13 @@ def validity_map(n: int = 400, largest: float = 0.99) -> ValidityMap:
     """
     if not (isinstance(n, int) and 2 <= n <= _MOST):  # pyright: ignore[reportUnnecessaryIsInstance]
         raise InvalidInput(f"A map needs a whole number of points, 2 … {_MOST}, but n is {n}.")
-    if not 0 < largest < 1:
+    most = one_number(largest, "The map's largest a/l", "")
+    if not 0 < most < 1:
         raise InvalidInput(
-            f"The map's largest a/l must lie between 0 and 1, but it is {largest}: at 1 the bob is "
+            f"The map's largest a/l must lie between 0 and 1, but it is {most}: at 1 the bob is "
             f"at the height of its support."
         )
-    a = np.arange(1, n + 1, dtype=np.float64) * (largest / n)
+    a = np.arange(1, n + 1, dtype=np.float64) * (most / n)
     ratio = np.linspace(0, 1, n)
     # A few rows at a time, so that it can be interrupted and needs little memory.
     groups = np.array_split(ratio[:, None], max(1, n * n // _TOGETHER))

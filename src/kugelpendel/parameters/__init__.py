@@ -21,6 +21,8 @@ from kugelpendel.parameters._numbers import as_numbers as as_numbers
 from kugelpendel.parameters._numbers import column as column
 from kugelpendel.parameters._numbers import common_shape as common_shape
 from kugelpendel.parameters._numbers import one_number as one_number
+from kugelpendel.parameters._numbers import one_truth as one_truth
+from kugelpendel.parameters._numbers import together as together
 from kugelpendel.parameters._numbers import unfit as unfit
 from kugelpendel.parameters._pendulum import Pendulum as Pendulum
 from kugelpendel.parameters._site import Site as Site

@@ -70,6 +70,23 @@ def one_number(value: ArrayLike, what: str, unit: str) -> float:
     return number
 
 
+def one_truth(value: object, what: str) -> bool:
+    """True or False; raises InvalidInput for anything else, which could mean either."""
+    if value is True or value is False:
+        return value
+    if isinstance(value, np.bool_):
+        return value == np.True_
+    raise InvalidInput(f"{what} must be True or False, but it is {value!r:.60}.")
+
+
+def together(names: str, *values: Numbers) -> tuple[Numbers, ...]:
+    """The arrays in the shape that all broadcast to; raises InvalidInput where there is none."""
+    try:
+        return tuple(np.broadcast_arrays(*values))
+    except ValueError:
+        raise unfit(names, values) from None
+
+
 def _without_unit(value: Any, what: str, unit: str) -> Any:
     """The numbers of a quantity in this unit, of a masked array, or what was given."""
     if isinstance(value, (float, int, str)):

@@ -58,6 +58,7 @@ def compared(comparison: Comparison, title: str = "") -> Figure:
         For what is no comparison, and a title that is no text.
     """
     require_type("What is drawn", comparison, Comparison, way_out="write kp.compare(…)")
+    _ink.require_text(title)
     with mpl.rc_context(_ink.STYLE):
         figure = _ink.blank(9.5, 5.6)
         axes = figure.add_subplot()

@@ -92,16 +92,21 @@ def draw_curve(
     axes.plot(x, y, style, **options)
 
 
-def entitle(figure: Figure, title: str, width: int) -> None:
-    """Write a title above the figure, in lines of so many signs, beginning with a capital.
-
-    Raises InvalidInput for what is no text.
-    """
+def require_text(title: str) -> None:
+    """Raise InvalidInput for a title that is no text."""
     if not isinstance(title, str):  # pyright: ignore[reportUnnecessaryIsInstance]
         raise InvalidInput(
             f"The title of a figure must be text, but it is {title!r:.60} of type "
             f"{type(title).__name__}; write it in quotes."
         )
+
+
+def entitle(figure: Figure, title: str, width: int) -> None:
+    """Write a title above the figure, in lines of so many signs, beginning with a capital.
+
+    Raises InvalidInput for what is no text.
+    """
+    require_text(title)
     if title:
         lines = textwrap.fill(title[:1].upper() + title[1:], width)
         # A dollar sign or an underscore of a file's name is no formula.
@@ -120,7 +125,8 @@ def one_number(name: str, value: float, unit: str) -> float:
 
 
 def naming(title: str, pendulum: Pendulum, a: float, b: float) -> str:
-    """A title that ends with which pendulum and which swing it is."""
+    """A title that ends with which pendulum and which swing it is; raises as `entitle`."""
+    require_text(title)
     swing = f"{as_given(float(pendulum.length), 'm')}, a = {as_given(a, 'm')}"
     width = f", b = {as_given(b, 'm')}" if b else ""
     return f"{title}: {swing}{width}" if title else f"{swing}{width}"
