@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 _FLOOR = 1e-16
 """Errors of less than that are rounding."""
 
+_MIDDLE = 0.1
+"""a/l in the middle of a large map."""
+
 _MARGIN = 0.08
 """A line that is nearer to the left edge of a small map than this has no label."""
 
@@ -150,11 +153,15 @@ def _draw(
             *mark, "o", markersize=7, color=_ink.OUTER, markeredgecolor="white", clip_on=False
         )
         if name:
+            # Towards the middle, so that no name leaves the map.
+            left, low = mark[0] > _MIDDLE, mark[1] > 0.8
             axes.annotate(
                 name,
                 mark,
-                (8, 8),
+                (-8 if left else 8, -8 if low else 8),
                 textcoords="offset points",
+                ha="right" if left else "left",
+                va="top" if low else "bottom",
                 color=_ink.OUTER,
                 parse_math=False,
                 bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 1.5},
