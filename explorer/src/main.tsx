@@ -1,0 +1,3 @@
+import { loadCore } from "./core";
+
+await loadCore();
