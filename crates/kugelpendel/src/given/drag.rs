@@ -27,6 +27,14 @@ pub struct StillAir {
     pub thread_drag_coefficient: f64,
 }
 
+impl Default for StillAir {
+    /// A smooth ball in air of 15 to 20 °C, without its thread: 0.44 between Reynolds numbers of 750 and 2·10⁵, Newton's
+    /// range, and 1.1 for a thread.
+    fn default() -> Self {
+        Self { viscosity: 1.81e-5, drag_coefficient: 0.44, thread_diameter: 0.0, thread_drag_coefficient: 1.1 }
+    }
+}
+
 impl Drag {
     /// # Errors
     /// A term that is negative or not finite.

@@ -4,6 +4,9 @@ use crate::given::invalid::{Invalid, positive};
 use crate::numbers::arithmetic::Arithmetic;
 use crate::numbers::double_double::Dd;
 
+/// g, m/s², where nothing is said of the place: the third General Conference on Weights and Measures (1901).
+pub const STANDARD_GRAVITY: f64 = 9.80665;
+
 /// Its length, where it hangs, and what hangs on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pendulum {
