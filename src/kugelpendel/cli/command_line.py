@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from kugelpendel.cli.compare import arguments as compare
 from kugelpendel.cli.derive import arguments as derive
 from kugelpendel.cli.design import arguments as design
+from kugelpendel.cli.explore import arguments as explore
 from kugelpendel.cli.fit import arguments as fit
 from kugelpendel.cli.options import CommandParser, Refused
 from kugelpendel.cli.run import arguments as run
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 _BAD_INPUT = 2
 _INTERRUPTED = 130
 
-_COMMANDS = (run, compare, validity, design, fit, synth, derive)
+_COMMANDS = (run, compare, validity, design, fit, synth, derive, explore)
 """In the order of the help. The parser of each says what does it and which extra it needs."""
 
 
