@@ -20,7 +20,7 @@ export interface Core {
   portrait(given: Given, ellipse: EllipseNow): Portrait;
   /** What the plane comes to in the end with all that acts, by the averaged motion; null where it cannot be told. Throws `Refused`. */
   settles(given: Given): PlaneSettled | null;
-  /** Bytes of memory of the core now: it does not grow from frame to frame. */
+  /** The core's memory: it does not grow from frame to frame. */
   readonly memory: WebAssembly.Memory;
 }
 
@@ -41,10 +41,14 @@ export interface Motion {
   state(time: number): State | null;
   /** x, y, z in m at each time, new numbers; NaN beyond an end. */
   positions(times: Float64Array): Float64Array<ArrayBuffer>;
+  /** The same as it is drawn, at start + step·k, in units of the length: x, y, 1 − cos θ. */
+  drawn(start: number, step: number, count: number): Float32Array<ArrayBuffer>;
   /** Of the major axis, rad, continuous from the first of the ascending times on; NaN beyond an end and without an axis. */
   azimuths(times: Float64Array): Float64Array<ArrayBuffer>;
   /** Distances from another motion, m, at each time. */
   distances(other: Motion, times: Float64Array): Float64Array<ArrayBuffer>;
+  /** a, b, azimuth at each time, as of `ellipse`; the azimuth continuous. */
+  ellipses(times: Float64Array): Float64Array<ArrayBuffer>;
   /** The ellipse at a time: osculating, and of the averaged motion its mean one. */
   ellipse(time: number): EllipseNow | null;
   /** Outer turning points from one time to another, at most `most`: time, place and azimuth. */
@@ -58,8 +62,8 @@ export interface Motion {
   free(): void;
 }
 
-/** "level": the bob comes level with the support; "slack": the thread goes slack; "pumped": the drive lifts it there. */
-export type Ending = "level" | "slack" | "stuck";
+/** The thread goes slack; the bob comes level with the support; backwards in time, the speed grows beyond all bounds. */
+export type Ending = "slack" | "level" | "runaway";
 
 export interface State {
   readonly position: Vector;
@@ -221,8 +225,8 @@ export interface Portrait {
   place(ellipse: EllipseNow): Form;
   /** `count` places along the orbit of a form, once round: circularity, longitude, and so on. */
   path(form: Form, count: number): Float64Array<ArrayBuffer>;
-  /** For each form (circularity, longitude, …) whether its plane goes round if left free (1) or not (0). */
-  goesRound(forms: Float64Array): Uint8Array<ArrayBuffer>;
+  /** For each form (circularity, longitude, …) what becomes of its plane if it is left free. */
+  verdicts(forms: Float64Array): Verdict[];
 }
 
 export interface PlaneSettled {
