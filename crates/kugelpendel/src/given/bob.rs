@@ -3,6 +3,9 @@
 use crate::given::invalid::{Invalid, not_negative, positive, require};
 use std::f64::consts::PI;
 
+/// Of air at 20 °C, kg/m³, where nothing is said of it.
+pub const AIR_DENSITY: f64 = 1.204;
+
 /// A homogeneous ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bob {

@@ -14,7 +14,7 @@ pub(crate) mod suspension;
 pub(crate) mod times;
 pub(crate) mod wire;
 
-pub use bob::Bob;
+pub use bob::{AIR_DENSITY, Bob};
 pub use decay::Decay;
 pub use drag::{Drag, StillAir};
 pub use drive::Drive;

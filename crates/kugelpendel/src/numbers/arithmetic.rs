@@ -54,6 +54,7 @@ macro_rules! portable_lanes {
 }
 
 /// One rounding: FMA, AVX2 or NEON.
+#[cfg_attr(target_arch = "wasm32", expect(dead_code, reason = "WebAssembly has no fused multiply-add"))]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fused;
 
@@ -191,7 +192,7 @@ macro_rules! dispatch {
                     return unsafe { vectors($($arg),*) };
                 }
             }
-            #[cfg(not(target_arch = "x86_64"))]
+            #[cfg(target_arch = "aarch64")]
             if $crate::numbers::arithmetic::fused() {
                 return $body($crate::numbers::arithmetic::Fused, $($arg),*);
             }

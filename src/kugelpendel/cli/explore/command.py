@@ -44,7 +44,7 @@ def explore(job: Path | None, port: str, *, opens: bool, page: Path = _PAGE) -> 
         from kugelpendel.cli.explore.fragment import fragment_of  # needs pint
 
         fragment = f"#{fragment_of(job)}"
-    files = _files(page)
+    files = page_files(page)
     with opened(wanted, files) as server:
         address = f"http://127.0.0.1:{server.server_port}/"
         if server.server_port != wanted:
@@ -71,8 +71,14 @@ def _port(text: str) -> int:
     return int(text)
 
 
-def _files(page: Path) -> Mapping[str, bytes]:
-    """Read all files of the page, under the paths by which a browser asks for them."""
+def page_files(page: Path = _PAGE) -> Mapping[str, bytes]:
+    """Read all files of the page, under the paths by which a browser asks for them.
+
+    Raises
+    ------
+    InvalidInput
+        The page has not been built.
+    """
     if not (page / "index.html").is_file():
         raise InvalidInput(
             "The explorer's page has not been built; a wheel carries it, and in a source tree "

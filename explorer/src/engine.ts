@@ -1,0 +1,3 @@
+/** What the page stands on, without anything that is seen. */
+export * from "./core";
+export * from "./job";
