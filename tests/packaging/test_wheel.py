@@ -58,6 +58,12 @@ def environment_with(requirement: str, repository: Path, folder: Path) -> Path:
     return python.parent
 
 
+def built_page(repository: Path) -> list[Path]:
+    """The files of the explorer's page, which git has not; none where it has not been built."""
+    folder = repository / "src/kugelpendel/cli/explore/page"
+    return [path for path in folder.rglob("*") if path.is_file()]
+
+
 def test_one_wheel_serves_every_python_from_3_11(wheel: Path) -> None:
     assert re.fullmatch(r"kugelpendel-[\d.]+-cp311-abi3-\w+\.whl", wheel.name)
 
@@ -70,11 +76,23 @@ def test_wheel_holds_the_package_and_nothing_else(wheel: Path, repository: Path)
         (metadata,) = (name for name in names if name.endswith(".dist-info/METADATA"))
         text = archive.read(metadata).decode()
     package = {name for name in names if ".dist-info/" not in name}
-    assert package == sources | {"kugelpendel/_core.abi3.so"}
+    page = {str(path.relative_to(repository / "src")) for path in built_page(repository)}
+    assert package == sources | page | {"kugelpendel/_core.abi3.so"}
     assert "kugelpendel/py.typed" in package
     licences = {Path(name).name for name in names if ".dist-info/licenses/" in name}
     assert licences == {"LICENSE-APACHE", "LICENSE-MIT"}
     assert "License-Expression: MIT OR Apache-2.0" in text
+
+
+def test_the_wheel_carries_the_explorers_page(wheel: Path, repository: Path) -> None:
+    page = built_page(repository)
+    if not page:
+        pytest.skip("the explorer's page has not been built; run make explorer")
+    assert {"index.html", "engine.js"} <= {path.name for path in page}
+    with zipfile.ZipFile(wheel) as archive:
+        for path in page:
+            content = archive.read(str(path.relative_to(repository / "src")))
+            assert content == path.read_bytes(), path
 
 
 def test_library_needs_no_extra(wheel: Path, repository: Path, tmp_path: Path) -> None:

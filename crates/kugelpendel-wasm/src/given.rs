@@ -2,7 +2,8 @@
 
 use crate::exchange::{answer, received};
 use kugelpendel::{
-    AIR_DENSITY, Acting, Bob, Drag, ExactMotion, Invalid, Launch, Pendulum, STANDARD_GRAVITY, StillAir, Suspension,
+    AIR_DENSITY, Acting, Bob, Decay, Drag, ExactMotion, Invalid, Launch, Pendulum, STANDARD_GRAVITY, StillAir,
+    Suspension, push,
 };
 use std::f64::consts::TAU;
 
@@ -80,15 +81,19 @@ impl Given {
 }
 
 /// Tells what swings and what acts: length, gravity, that which moves the bob, mass, ω0, 2π/ω0, √(gl); the rate at which the
-/// Earth alone turns the plane and the time for a turn; whether anything acts; γ, c, δ, Δγ.
+/// Earth alone turns the plane and the time for a turn; whether anything acts; γ, c, δ, Δγ; the time in which drag takes half
+/// of this amplitude, and push and phase of the drive that would hold it and turn no narrow ellipse.
 #[unsafe(no_mangle)]
 pub extern "C" fn settled() -> u32 {
-    answer(Given::receive().map(|given| {
+    answer(Given::receive().and_then(|given| {
+        let [a, _] = given.ideal()?.turning_radii();
         let Given { pendulum, effective, acting, .. } = given;
         let forces = acting.forces();
         let omega0 = effective.angular_frequency();
         let earth = -forces.rotation[1];
-        [
+        let decay = Decay::new(forces.damping, forces.quadratic, omega0);
+        let phase = push::best_phase(&effective, &decay, a);
+        Ok([
             pendulum.length,
             pendulum.gravity,
             effective.gravity,
@@ -103,6 +108,9 @@ pub extern "C" fn settled() -> u32 {
             forces.quadratic,
             forces.anisotropy,
             forces.damping_anisotropy,
-        ]
+            if a > 0.0 { decay.until(a, 0.5 * a) } else { f64::INFINITY },
+            push::holding(&decay, a, phase),
+            phase,
+        ])
     }))
 }

@@ -174,6 +174,10 @@ export interface Settled {
   readonly drag: { readonly linear: number; readonly quadratic: number };
   readonly anisotropy: number;
   readonly dampingAnisotropy: number;
+  /** s: in which drag takes half of this launch's amplitude; infinite where there is none */
+  readonly halfLife: number;
+  /** The drive that would hold the amplitude and turn no narrow ellipse; null where nothing brakes. */
+  readonly sustaining: { readonly push: number; readonly phase: number } | null;
 }
 
 export interface Measured {

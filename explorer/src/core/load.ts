@@ -19,11 +19,15 @@ export async function loadCore(): Promise<Core> {
   return new LoadedCore(new Machine(instance));
 }
 
+/** Numbers for which there is room from the start, 4 MB: traces and walks fit in, and views of the memory stay what they are. */
+const RESERVED = 500_000;
+
 class LoadedCore implements Core {
   private readonly machine: Machine;
 
   constructor(machine: Machine) {
     this.machine = machine;
+    machine.call.release(machine.call.allocate(RESERVED), RESERVED);
   }
 
   get memory(): WebAssembly.Memory {
@@ -81,6 +85,8 @@ class LoadedCore implements Core {
       drag: { linear: told(10), quadratic: told(11) },
       anisotropy: told(12),
       dampingAnisotropy: told(13),
+      halfLife: told(14),
+      sustaining: told(15) > 0 ? { push: told(15), phase: told(16) } : null,
     };
   }
 

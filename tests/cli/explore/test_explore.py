@@ -1,5 +1,7 @@
 """The explorer's command: what it serves, to whom, and what it says."""
 
+import base64
+import hashlib
 import http.client
 import math
 import re
@@ -17,7 +19,13 @@ from kugelpendel.cli.explore.fragment import fragment_of
 from kugelpendel.cli.explore.server import PageServer, opened
 from kugelpendel.errors import InvalidInput
 
-FILES = {"/": b"<!doctype html>", "/index.html": b"<!doctype html>", "/assets/core.wasm": b"\0asm"}
+INLINE = b"<style>p{color:red}</style><script>1</script>"
+FILES = {
+    "/": b"<!doctype html>",
+    "/index.html": b"<!doctype html>",
+    "/assets/core.wasm": b"\0asm",
+    "/derivation.en.html": INLINE,
+}
 
 
 @pytest.fixture
@@ -51,6 +59,15 @@ def test_the_page_is_served_with_its_types_and_a_policy(server: PageServer) -> N
     assert (status, headers["content-type"], body) == (200, "application/wasm", b"\0asm")
     status, headers, body = ask(server, "/assets/core.wasm", "HEAD")
     assert (status, headers["content-length"], body) == (200, "4", b"")
+
+
+def test_what_stands_in_a_page_runs_by_its_hash(server: PageServer) -> None:
+    policy = ask(server, "/derivation.en.html")[1]["content-security-policy"]
+    digest = base64.b64encode(hashlib.sha256(b"1").digest()).decode()
+    assert f"script-src 'self' 'wasm-unsafe-eval' 'sha256-{digest}';" in policy
+    assert "style-src 'self' 'sha256-" in policy
+    assert "unsafe-inline" not in policy
+    assert "sha256" not in ask(server, "/")[1]["content-security-policy"]
 
 
 @pytest.mark.parametrize(

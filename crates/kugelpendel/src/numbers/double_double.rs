@@ -36,6 +36,7 @@ const fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
     (s, b - (s - a))
 }
 
+// In a page every byte is sent: there the long ones of these are called, and elsewhere written out where they are used.
 impl<A: Arithmetic> Dd<A> {
     pub(crate) const ZERO: Self = Self::raw(0.0, 0.0);
     pub(crate) const ONE: Self = Self::raw(1.0, 0.0);
@@ -95,7 +96,8 @@ impl<A: Arithmetic> Dd<A> {
         Self::raw(hi, lo)
     }
     /// √(numerator/denominator); zero where the numerator is not positive.
-    #[inline(always)]
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub(crate) fn sqrt_ratio(numerator: Self, denominator: Self) -> Self {
         let root = (numerator.hi / denominator.hi).sqrt();
         let rest = numerator - Self::product(root, root) * denominator;
@@ -108,7 +110,8 @@ impl<A: Arithmetic> Dd<A> {
         self.square().plus(other.square()).sqrt()
     }
     /// Sine and cosine of a binary64 angle in radians, taken exactly; good to 1e-30 for |angle| up to 1e9.
-    #[inline(always)]
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub(crate) fn sin_cos(angle: f64) -> (Self, Self) {
         // Three parts of π/2: a multiple of it is subtracted exactly enough even where the difference nearly vanishes.
         const HALF_PI: [f64; 3] = [std::f64::consts::FRAC_PI_2, 6.123233995736766e-17, -1.4973849048591698e-33];
@@ -190,7 +193,8 @@ impl<A: Arithmetic> Sub for Dd<A> {
 
 impl<A: Arithmetic> Mul for Dd<A> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     fn mul(self, other: Self) -> Self {
         let (p, e) = A::two_prod(self.hi, other.hi);
         let cross = A::mul_add(self.hi, other.lo, self.lo * other.hi);
@@ -211,7 +215,8 @@ impl<A: Arithmetic> Mul<f64> for Dd<A> {
 
 impl<A: Arithmetic> Div for Dd<A> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     fn div(self, other: Self) -> Self {
         let quotient = self.hi / other.hi;
         let rest = self - other * quotient;

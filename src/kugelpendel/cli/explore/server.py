@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import base64
 import errno
+import hashlib
 import os
+import re
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import PurePosixPath
@@ -46,13 +49,28 @@ _POLICY = {
 }
 """Nothing but the page's own files; WebAssembly may be compiled, text may not be run."""
 
+_INLINE = re.compile(rb"<(script|style)>(.*?)</\1>", re.DOTALL)
+"""What stands in a page of the derivation, which is one file; it is let through by its hash."""
+
 _HEADERS = {
-    "Content-Security-Policy": "; ".join(f"{name} {allowed}" for name, allowed in _POLICY.items()),
     "X-Content-Type-Options": "nosniff",
     "Referrer-Policy": "no-referrer",
     "Cross-Origin-Resource-Policy": "same-origin",
     "Cache-Control": "no-cache",
 }
+
+
+def _is_page(path: str) -> bool:
+    return path.endswith((".html", "/"))
+
+
+def _policy(page: bytes) -> str:
+    """The policy of a page, with the hashes of what stands in it."""
+    allowed = dict(_POLICY)
+    for kind, text in _INLINE.findall(page):
+        digest = base64.b64encode(hashlib.sha256(text).digest()).decode()
+        allowed[f"{kind.decode()}-src"] += f" 'sha256-{digest}'"
+    return "; ".join(f"{name} {sources}" for name, sources in allowed.items())
 
 
 class PageServer(ThreadingHTTPServer):
@@ -77,6 +95,7 @@ class PageServer(ThreadingHTTPServer):
 
     def __init__(self, port: int, files: Mapping[str, bytes]):
         self.files = files
+        self.policies = {path: _policy(body) for path, body in files.items() if _is_page(path)}
         super().__init__((HOST, port), _Handler)
 
 
@@ -101,9 +120,11 @@ class _Handler(BaseHTTPRequestHandler):
         body = b"The page has no such file.\n" if content is None else content
         suffix = PurePosixPath("index.html" if path == "/" else path).suffix
         kind = _TYPES.get(suffix, "text/plain") if content is not None else "text/plain"
+        policy = cast("PageServer", self.server).policies.get(path) or _policy(b"")
         self.send_response(status)
-        for name, value in (*_HEADERS.items(), ("Content-Type", kind)):
+        for name, value in (*_HEADERS.items(), ("Content-Security-Policy", policy)):
             self.send_header(name, value)
+        self.send_header("Content-Type", kind)
         self.send_header("Content-Length", str(len(body)))
         self.end_headers()
         if has_body:
