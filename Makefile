@@ -25,7 +25,7 @@ ALL := pyproject.toml --extra run --extra fit --extra paper --group install --gr
 
 RUST_SOURCES := $(shell find crates -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
 PAGE := src/kugelpendel/cli/explore/page
-PAGE_SOURCES := $(shell find explorer \( -name node_modules -o -name public \) -prune -o -type f ! -name '*.wasm' -print)
+PAGE_SOURCES := $(shell find explorer -name node_modules -prune -o -type f ! -name '*.wasm' ! -name 'derivation.*' -print)
 PAPER_SOURCES := $(shell find src/kugelpendel/paper -type f ! -name '*.pyc')
 DERIVATION := explorer/public/derivation.de.html explorer/public/derivation.en.html
 BUILD_CORE := crates/kugelpendel-wasm/build.sh
@@ -86,7 +86,7 @@ lock: $(STAMPS)/uv  ## newest allowed versions into Cargo.lock and requirements/
 
 clean:  ## remove everything that the other targets made
 	rm -rf .venv target dist out .pytest_cache .ruff_cache .import_linter_cache .hypothesis src/kugelpendel/_core*.so
-	rm -rf explorer/node_modules explorer/public explorer/src/core/*.wasm $(PAGE)
+	rm -rf explorer/node_modules explorer/public/derivation.*.html explorer/src/core/*.wasm $(PAGE)
 	find src tests benchmarks references -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true
 
 # What the targets stand on.

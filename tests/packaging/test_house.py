@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 ROOMS = ("src", "crates", "tests", "benchmarks", "references", "explorer")
-GENERATED = {"__pycache__", "node_modules", "dist", "public"}
+GENERATED = {"__pycache__", "node_modules", "dist"}
 BUILT = "src/kugelpendel/cli/explore/page"
 MOST_FILES = 14
 MOST_LINES = 400

@@ -131,6 +131,21 @@ impl Motion {
         [position, velocity]
     }
 
+    /// All positions at start + step·k; NaN beyond an end.
+    fn on_a_grid(&mut self, start: f64, step: f64, count: usize) -> Vec<f64> {
+        let mut positions = vec![f64::NAN; 3 * count];
+        let grid = Times::Grid { start, step, first: 0 };
+        match &self.course {
+            Course::Exact(motion) => motion.fill(Quantity::Position, grid, &mut positions),
+            Course::Harmonic(motion) => motion.fill(Quantity::Position, grid, &mut positions),
+            _ => {
+                let times: Vec<f64> = (0..count).map(|k| start + step * k as f64).collect();
+                self.fill(&times, &mut positions, &mut [], &|| false);
+            }
+        }
+        positions
+    }
+
     /// A position as it is drawn: in lengths, the third number 1 − cos θ.
     pub(crate) fn drawn(&self, position: [f64; 3]) -> [f32; 3] {
         let [x, y, _] = position;
@@ -334,16 +349,9 @@ pub unsafe extern "C" fn motion_ellipses(motion: &mut Motion, times: *const f64,
 pub unsafe extern "C" fn motion_drawn(motion: &mut Motion, start: f64, step: f64, count: usize, out: *mut [f32; 3]) {
     // SAFETY: the caller's promise.
     let out = unsafe { std::slice::from_raw_parts_mut(out, count) };
-    let mut positions = [0.0; 3 * TOGETHER];
-    for (part, out) in out.chunks_mut(TOGETHER).enumerate() {
-        let first = part * TOGETHER;
-        let times: [f64; TOGETHER] = std::array::from_fn(|k| start + step * (first + k) as f64);
-        let positions = &mut positions[..3 * out.len()];
-        positions.fill(f64::NAN);
-        motion.fill(&times[..out.len()], positions, &mut [], &|| false);
-        for (out, place) in out.iter_mut().zip(positions.as_chunks::<3>().0) {
-            *out = motion.drawn(*place);
-        }
+    let positions = motion.on_a_grid(start, step, count);
+    for (out, place) in out.iter_mut().zip(positions.as_chunks::<3>().0) {
+        *out = motion.drawn(*place);
     }
 }
 

@@ -146,6 +146,10 @@ pub(crate) const fn two_prod_split(a: f64, b: f64) -> (f64, f64) {
     (product, ((ah * bh - product) + ah * bl + al * bh) + al * bl)
 }
 
+/// Whether a polynomial is compiled with its highest degree only and not once for each: a page is sent, so there it counts.
+/// The coefficients beyond a polynomial's own degree are 0, and the result is the same to the last bit.
+pub(crate) const FEW_FORMS: bool = cfg!(target_arch = "wasm32");
+
 /// A polynomial, its degree a constant at every call; coefficients beyond it are not looked at.
 #[inline(always)]
 pub(crate) fn horner<A: Arithmetic, const SIZE: usize>(coefficients: &[f64; SIZE], degree: usize, x: f64) -> f64 {

@@ -11,7 +11,7 @@ use crate::given::pendulum::Pendulum;
 use crate::given::times::{Quantity, Times};
 use crate::meaning::events::events_on_a_grid;
 use crate::meaning::olsson;
-use crate::numbers::arithmetic::{Arithmetic, Portable, dispatch, horner, product};
+use crate::numbers::arithmetic::{Arithmetic, FEW_FORMS, Portable, dispatch, horner, product};
 use crate::numbers::double_double::Dd;
 use crate::sampling::blocks::{Form, SwingAndFrame, blocks};
 use crate::sampling::blocks::{Rotations, half, rotations};
@@ -180,7 +180,8 @@ impl HarmonicMotion {
 
     fn degree(&self) -> usize {
         let is_used = |&n: &usize| self.inner[n] != 0.0 || self.outer[n] != 0.0;
-        (0..=MAX_POWER).rev().find(is_used).unwrap_or(0)
+        let degree = (0..=MAX_POWER).rev().find(is_used).unwrap_or(0);
+        if FEW_FORMS && degree > 0 { MAX_POWER } else { degree }
     }
 
     fn figure<const DEGREE: usize>(&self) -> Figure<DEGREE> {

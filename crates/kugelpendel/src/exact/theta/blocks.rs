@@ -5,7 +5,7 @@ use crate::exact::plan::Plan;
 use crate::exact::theta::shape::Shape;
 use crate::exact::theta::trigonometric::{MAX_DEGREE, Trigonometric};
 use crate::given::times::{Quantity, Times};
-use crate::numbers::arithmetic::{Arithmetic, product};
+use crate::numbers::arithmetic::{Arithmetic, FEW_FORMS, product};
 use crate::sampling::blocks::half;
 use crate::sampling::blocks::{Form, SwingAndFrame, blocks};
 use std::f64::consts::{PI, TAU};
@@ -48,9 +48,10 @@ pub(crate) fn fill_theta<A: Arithmetic>(
     let scale = Scale { length: plan.length, swing: PI * swings.hi, frame: TAU * frame.hi };
     let angles = SwingAndFrame { swing: half(swings), frame, start: [0.5 * start.hi, plan.turn] };
     let table = plan.rotations.as_deref();
+    let degrees = if FEW_FORMS { [MAX_DEGREE; 2] } else { [chart.degree, chart.alpha_degree] };
     macro_rules! fill {
         ($($degree:literal $alpha:literal,)+) => {
-            match (chart.degree, chart.alpha_degree, chart.from_above) {
+            match (degrees[0], degrees[1], chart.from_above) {
                 $(
                     ($degree, $alpha, false) => {
                         let form = Fixed::<$degree, $alpha, false> { chart, scale };

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from report import Ratio, Section
 
-sys.path.insert(0, str(Path(__file__).parent.parent))  # for the engine that the tests open
+sys.path.insert(0, str(Path(__file__).parents[2]))  # for the engine that the tests open
 
 from tests.cli.explore.browsing import Engine, running
 
