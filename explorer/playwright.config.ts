@@ -1,10 +1,9 @@
-import { existsSync } from "node:fs";
 import { defineConfig } from "@playwright/test";
 
 const PORT = 8391;
 
-/** Debian's and Ubuntu's names of the browser. */
-const browser = ["/usr/bin/chromium", "/usr/bin/chromium-browser"].find((path) => existsSync(path));
+/** The system's own browser, which tests/run finds. */
+const browser = process.env["CHROMIUM"];
 
 // The page is tested as it is shipped: built, and served by the command with its policy.
 export default defineConfig({

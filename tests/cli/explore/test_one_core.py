@@ -50,11 +50,11 @@ def in_python(case: Given, law: str, times: Numbers) -> tuple[Numbers | None, st
     except kp.InvalidInput as error:
         return None, error.kind
     positions = np.full((times.size, 3), np.nan)
-    for index, time in enumerate(times):
-        try:
-            positions[index] = motion.position(time)
-        except kp.MotionEnded:
-            break
+    try:
+        positions[:] = motion.position(times)
+    except kp.MotionEnded as end:
+        before = times <= end.time
+        positions[before] = motion.position(times[before])
     return positions, ""
 
 
