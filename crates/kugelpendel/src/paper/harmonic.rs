@@ -9,6 +9,7 @@ use crate::given::invalid::{Invalid, require};
 use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;
 use crate::given::times::{Quantity, Times};
+use crate::meaning::azimuth::nearest;
 use crate::meaning::events::events_on_a_grid;
 use crate::meaning::olsson;
 use crate::numbers::arithmetic::{Arithmetic, FEW_FORMS, Portable, dispatch, horner, product};
@@ -53,6 +54,18 @@ pub struct HarmonicMotion {
     pub outer: Powers,
 }
 
+/// A launch that is past an outer turning point by no more of a radial period is meant to be at it.
+const MEANT: f64 = 1e-9;
+
+/// Time in s and azimuth in rad of the first outer turning point.
+fn first_apsis(exact: &ExactMotion) -> [f64; 2] {
+    let (time, azimuth, period) = (exact.apsis_time(), exact.apsis_azimuth(), exact.radial_period());
+    if period - time < MEANT * period {
+        return [time - period, nearest(azimuth - exact.apsidal_angle(), 0.0, TAU)];
+    }
+    [time, azimuth]
+}
+
 struct Figure<const DEGREE: usize> {
     length: f64,
     swing: f64,
@@ -87,7 +100,8 @@ impl<A: Arithmetic, const DEGREE: usize> Form<A> for Figure<DEGREE> {
 }
 
 impl HarmonicMotion {
-    /// The ellipse through the exact turning points of a launch, with the phase of its first outer one.
+    /// The ellipse through the exact turning points of a launch, with the phase of its first outer one; of a launch at one,
+    /// however its last digit is rounded, that is the launch itself.
     ///
     /// What differs from the exact motion is the law alone.
     ///
@@ -104,16 +118,9 @@ impl HarmonicMotion {
             HarmonicLaw::Linear => (pendulum.angular_frequency(), 0.0),
             HarmonicLaw::Olsson => (olsson::frequency(a, b, &pendulum), olsson::precession(a, b, &pendulum)),
         };
+        let [apsis_time, apsis_azimuth] = first_apsis(&exact);
         let powers = |first: f64| std::array::from_fn(|k| if k == 0 { first } else { 0.0 });
-        Ok(Self {
-            pendulum,
-            frequency,
-            precession,
-            apsis_time: exact.apsis_time(),
-            apsis_azimuth: exact.apsis_azimuth(),
-            inner: powers(b),
-            outer: powers(a),
-        })
+        Ok(Self { pendulum, frequency, precession, apsis_time, apsis_azimuth, inner: powers(b), outer: powers(a) })
     }
 
     /// The same turning points and phase under other rates in rad/s and another figure in m.
@@ -228,4 +235,36 @@ fn fill_part_with<A: Arithmetic>(_: A, request: &Request<'_>, times: Times<'_>, 
         };
     }
     fill!(0 1 2 3 4 5 6);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_launch_at_a_turning_point_is_its_own_first_one_however_it_is_rounded() {
+        let pendulum = Pendulum { length: 1.0, gravity: 9.80665, mass: 1.0 };
+        let start = |fill: &dyn Fn(&mut [f64])| {
+            let mut place = [0.0; 3];
+            fill(&mut place);
+            place
+        };
+        let times = Times::Scattered(&[0.0]);
+        for launched in 0..2000 {
+            let radius = 0.4 + 0.005 * f64::from(launched % 21);
+            let (sin, cos) = (0.01 * f64::from(launched)).sin_cos();
+            for speed in [0.5, -0.5, 0.01] {
+                let launch = Launch::Plane { x: radius * cos, y: radius * sin, vx: -speed * sin, vy: speed * cos };
+                let exact = ExactMotion::new(pendulum, launch).unwrap();
+                let exact = start(&|out| exact.fill(Quantity::Position, times, out));
+                for law in [HarmonicLaw::Linear, HarmonicLaw::Olsson] {
+                    let motion = HarmonicMotion::new(pendulum, launch, law).unwrap();
+                    let place = start(&|out| motion.fill(Quantity::Position, times, out));
+                    for (one, other) in place.iter().zip(exact) {
+                        assert!((one - other).abs() < 1e-14, "{launch:?} {law:?}: {place:?} {exact:?}");
+                    }
+                }
+            }
+        }
+    }
 }
