@@ -2,4 +2,5 @@
 export { writeJobFile } from "./file";
 export { LAUNCHES, TABLES } from "./keys";
 export { readLink, writeLink, type Beside, type Link, type ReadLink, type View } from "./link";
+export type { Kind } from "./keys";
 export { readQuantity, writeQuantity } from "./quantity";
