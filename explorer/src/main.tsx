@@ -1,3 +1,79 @@
-import { loadCore } from "./core";
+/** Starts the page: words at once, the motion as soon as the core is there. */
 
-await loadCore();
+import { effect } from "@preact/signals";
+import { render } from "preact";
+import { loadCore } from "./core";
+import { App } from "./page/App";
+import { keepKiosk } from "./page/kiosk";
+import { togglePlay } from "./instruments/TimeBar";
+import { released } from "./stage/grip";
+import { remember, take } from "./state/address";
+import { redraw } from "./state/loop";
+import { beside, core, dark, duration, given, gripped, kiosk, launches, playing, preset, reducedMotion, rod, systemDark } from "./state/page";
+import { language, presetWords, words } from "./words/language";
+import "./style/tokens.css";
+import "./style/page.css";
+import "./style/text.css";
+import "./style/stage.css";
+import "./style/time.css";
+import "./style/foucault.css";
+
+const root = document.documentElement;
+const prefersDark = matchMedia("(prefers-color-scheme: dark)");
+const prefersLess = matchMedia("(prefers-reduced-motion: reduce)");
+
+systemDark.value = prefersDark.matches;
+prefersDark.addEventListener("change", () => (systemDark.value = prefersDark.matches));
+reducedMotion.value = prefersLess.matches;
+prefersLess.addEventListener("change", () => (reducedMotion.value = prefersLess.matches));
+
+effect(() => {
+  root.dataset["theme"] = dark.value ? "dark" : "light";
+});
+effect(() => {
+  root.toggleAttribute("data-kiosk", kiosk.value);
+});
+effect(() => {
+  root.lang = language.value;
+  document.title = `${preset.value ? presetWords.value[preset.value].title : words.value.gallery.own} · ${words.value.name}`;
+});
+
+/** Space plays and pauses where nothing else has the focus. */
+window.addEventListener("keydown", (event) => {
+  if (event.key !== " " || event.target !== document.body) return;
+  event.preventDefault();
+  togglePlay();
+});
+document.addEventListener("visibilitychange", redraw);
+
+const page = document.getElementById("page") as HTMLElement;
+page.replaceChildren();
+render(<App />, page);
+
+async function start(): Promise<void> {
+  try {
+    core.value = await loadCore();
+  } catch {
+    // Without WebAssembly, without SIMD, or where the file does not come.
+    core.value = "failed";
+    return;
+  }
+  take(location.hash);
+  playing.value = !reducedMotion.value;
+  redraw();
+  let steps = released.value;
+  effect(() => {
+    void [launches.value, given.value, duration.value, language.value, beside.value, rod.value, gripped.value];
+    remember(released.value !== steps);
+    steps = released.value;
+  });
+  keepKiosk();
+  window.addEventListener("popstate", () => {
+    take(location.hash);
+    redraw();
+  });
+  void document.fonts.load("600 12px Inter").then(redraw);
+  root.dataset["ready"] = "";
+}
+
+void start();
