@@ -11,6 +11,9 @@ export default defineConfig({
   outputDir: "../.venv/explorer-tests",
   workers: 1,
   forbidOnly: true,
+  // Software draws slowly on a machine that does other things as well.
+  timeout: 90_000,
+  expect: { timeout: 15_000 },
   reporter: [["line"]],
   use: {
     baseURL: `http://127.0.0.1:${PORT}/`,

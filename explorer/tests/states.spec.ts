@@ -1,0 +1,85 @@
+import { expect, test } from "@playwright/test";
+import { drawn, open } from "./page";
+
+test.use({ locale: "de-DE", contextOptions: { reducedMotion: "reduce" }, viewport: { width: 1280, height: 800 } });
+
+test("a garbled link gives the rosette and a notice, and none of it becomes markup", async ({ page }) => {
+  const asked: string[] = [];
+  page.on("request", (request) => asked.push(request.url()));
+  await open(page, "pendulum.length=%3Cimg%20src%3Dx%20onerror%3Dalert(1)%3E&preset=https://example.org");
+  await expect(page.locator(".notice")).toContainText("Der Link war unvollständig. Gezeigt wird die Rosette.");
+  await expect(page.locator(".title")).toHaveText("Die Ellipse, die sich dreht");
+  expect(await page.locator("img").count()).toBe(0);
+  expect(asked.filter((address) => !address.startsWith("http://127.0.0.1:"))).toEqual([]);
+  await page.getByRole("button", { name: "Schließen" }).click();
+  await expect(page.locator(".notice")).toBeHidden();
+});
+
+test("a link that the core refuses gives the rosette as well", async ({ page }) => {
+  await open(page, "pendulum.length=1&launch.kind=ellipse&launch.a=2&launch.b=0");
+  await expect(page.locator(".notice")).toBeVisible();
+  await expect(page.locator(".title")).toHaveText("Die Ellipse, die sich dreht");
+});
+
+test("the language is the browser's, and a link may say another", async ({ page }) => {
+  await open(page, "lang=en");
+  await expect(page.locator(".title")).toHaveText("The ellipse that turns");
+});
+
+test("where the core cannot run the page says so", async ({ page }) => {
+  await page.route("**/*.wasm", (route) => route.abort());
+  await page.goto("./");
+  await expect(page.locator(".hint")).toContainText("Dieser Browser kann den Rechenkern nicht ausführen.");
+  await expect(page.locator(".title")).toHaveText("Die Ellipse, die sich dreht");
+});
+
+test("a kiosk has no links and no way out, asks whether somebody is there, and begins again", async ({ page }) => {
+  await page.clock.install();
+  await page.goto("./#kiosk=1&preset=cone");
+  await page.clock.runFor(1000);
+  await expect(page.locator(".title")).toHaveText("Im Kreis");
+  expect(await page.locator("a[href]:not(.skip)").count()).toBe(0);
+  await expect(page.getByRole("button", { name: "Teilen" })).toHaveCount(0);
+  await page.getByRole("button", { name: "English" }).click();
+  await page.getByRole("button", { name: "Rosette" }).click();
+  await page.clock.fastForward(46_000);
+  await expect(page.locator(".still")).toHaveText("Still there? It starts again in a moment.");
+  await page.mouse.click(640, 300);
+  await expect(page.locator(".still")).toBeHidden();
+  await page.clock.fastForward(46_000);
+  await expect(page.locator(".still")).toBeVisible();
+  await page.clock.fastForward(16_000);
+  await expect(page.locator(".title")).toHaveText("Im Kreis");
+  expect(await page.evaluate(() => !document.dispatchEvent(new MouseEvent("contextmenu", { cancelable: true, bubbles: true })))).toBe(true);
+});
+
+test("every width has room for all, without scrolling sideways", async ({ page }) => {
+  await open(page);
+  for (const [width, height] of [[1600, 900], [1024, 768], [900, 600], [844, 390], [390, 844], [360, 640]] as const) {
+    await page.setViewportSize({ width, height });
+    await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth), { message: String(width) }).toBeLessThanOrEqual(0);
+    await expect.poll(() => drawn(page, "[data-layer=floor]"), { message: String(width) }).toBeGreaterThan(500);
+  }
+  await page.setViewportSize({ width: 900, height: 600 });
+  await page.getByRole("button", { name: "Beispiele" }).click();
+  await page.getByRole("button", { name: "Kegel" }).click();
+  await expect(page.locator(".title")).toHaveText("Im Kreis");
+});
+
+test("what is tapped is 44 px large on a phone", async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await open(page);
+  await page.getByRole("button", { name: /^Länge/ }).click();
+  const small = await page.evaluate(() =>
+    [...document.querySelectorAll("button, a[href], [role=slider]")]
+      .filter((one) => one.getClientRects().length > 0 && !one.matches(".skip, .only-wide"))
+      .map((one) => {
+        const after = getComputedStyle(one, "::after");
+        const { width, height } = one.getBoundingClientRect();
+        return { what: one.className + one.textContent, width, height: Math.max(height, Number.parseFloat(after.height) || 0) };
+      })
+      .filter(({ width, height }) => height < 43.5 || width < 24),
+  );
+  // A link within a sentence is as high as its line, which has 44 px.
+  expect(small.filter(({ what }) => what !== "Woher sie kommt")).toEqual([]);
+});
