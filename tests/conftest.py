@@ -6,6 +6,12 @@ from pathlib import Path
 
 import pytest
 
+# One thread of linear algebra in each worker and in each program that a test starts: the matrices
+# are small, and threads of several processes wait for one another. (The process that pytest begins
+# in is not reached: its plugin pytest-randomly loads NumPy before this file.)
+for _variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
+    os.environ.setdefault(_variable, "1")
+
 IN_CI = os.environ.get("CI", "").lower() not in ("", "0", "false")
 REPOSITORY = Path(__file__).resolve().parent.parent
 
