@@ -7,7 +7,7 @@ from dataclasses import dataclass
 _EXACT = "closed form: E. T. Whittaker, Analytical Dynamics, §55"
 _OLSSON = "M. G. Olsson, Am. J. Phys. 49, 531 (1981), eq. "
 _NELSON = "R. A. Nelson and M. G. Olsson, Am. J. Phys. 54, 112 (1986)"
-_FOUCAULT = "L. Foucault, C. R. Acad. Sci. Paris 32, 135 (1851)"
+_FOUCAULT = "L. Foucault, Comptes rendus 32, 135 (1851)"
 _AVERAGED = "averaged equations, docs/design.md"
 _PORTRAIT = (
     "portrait on the sphere: E. O. Schulz-DuBois, Am. J. Phys. 38, 173 (1970), docs/design.md"
