@@ -223,7 +223,7 @@ def test_one_formula_at_most_needs_to_be_scrolled(opened: webdriver.Chrome) -> N
 
 
 def test_a_page_is_one_small_file(page: Path) -> None:
-    assert page.stat().st_size <= 740_000
+    assert page.stat().st_size <= 720_000
 
 
 def test_nothing_serious_for_those_who_see_or_hear_otherwise(

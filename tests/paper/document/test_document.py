@@ -98,6 +98,20 @@ def test_tables_have_a_row_for_each_misprint_and_condition(language: str) -> Non
     assert r"|\omega - \omega_0| \ll \omega_0" in math
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_how_one_knows_a_misprint_stands_in_the_table_or_in_a_note_that_always_shows(
+    language: str,
+) -> None:
+    page = paper.write(language, "html")
+    linked = re.findall(r'<td><a href="#misprint-([^"]+)">', page)
+    assert 10 < len(linked) == len(set(linked)) < len(paper.MISPRINTS)
+    for key in linked:
+        before, _, _ = page.partition(f'<div id="misprint-{key}">')
+        assert before.rpartition('class="display ')[2].startswith('numbered"')
+        assert before.count("<details") == before.count("</details>")
+    assert "#misprint-" not in writer(language).misprints()
+
+
 def test_every_printed_formula_is_marked_against_the_right_one() -> None:
     read = [token for part in writer("de").parts() for token in tokens(part.text)]
     printed = [token for token in read if is_math(token) and "printed" in token.meta]

@@ -62,7 +62,7 @@ def rendered(markdown: str, document: Document | None = None) -> str:
     """Render Markdown as HTML; that of a document gets what a page has between its equations."""
     markdown_it = parser(_Page)
     read = markdown_it.parse(markdown)
-    _name_cells(read)
+    _name_columns(read)
     _glue(read)
     if document is not None:
         read = _with_runs(_with_neighbours(read, document), document)
@@ -116,21 +116,18 @@ class _Page(RendererHTML):
         return f'<div class="formula" tabindex="0" data-latex="{source}">{formula}</div>\n'
 
 
-def _name_cells(read: Sequence[Token]) -> None:
-    """Give each cell the name of its column, since a narrow page shows a table as a list."""
+def _name_columns(read: Sequence[Token]) -> None:
+    """Give each table the names of its columns, since a narrow page shows a table as a list."""
     names: list[str] = []
-    column = 0
+    table = read[0] if read else None
     for before, token in pairwise(read):
         if token.type == "table_open":
-            names = []
-        elif before.type == "tr_open":
-            column = 0
-        if before.type == "th_open":
+            table, names = token, []
+        elif before.type == "th_open" and table is not None:
             before.attrSet("scope", "col")
             names.append(token.content.partition(BREAK)[0])
-        elif before.type == "td_open":
-            before.attrSet("data-head", names[column])
-            column += 1
+            said = (f"--column-{n}: '{name}'" for n, name in enumerate(names, 1))
+            table.attrSet("style", "; ".join(said))
 
 
 def _glue(read: Iterable[Token]) -> None:

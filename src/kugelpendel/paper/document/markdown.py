@@ -109,19 +109,21 @@ class Writer:
             found.append(self._told("example"))
             found.append(self._told("history"))
         if document.misprints:
-            text = f"{self.say(ui('misprints_lead'))}\n\n{self.misprints()}"
+            text = f"{self.say(ui('misprints_lead'))}\n\n{self.misprints(beside_notes=True)}"
             found.append(Part("misprints", ui("misprints"), text))
         if document.conditions:
             text = f"{self.say(ui('conditions_lead'))}\n\n{self._conditions()}"
             found.append(Part("conditions", ui("conditions"), text))
         return found
 
-    def misprints(self) -> str:
+    def misprints(self, beside_notes: bool = False) -> str:
         """Write the table of misprints: where, what, how one knows, and where the error goes.
 
-        Two things share a column, since formulas need the room.
+        Two things share a column, since formulas need the room. With `beside_notes` how one knows
+        is told by a link where a note tells it that no reader can have folded away or left out.
         """
         words, ui = self._words, self._ui
+        noted = self._always_noted() if beside_notes else set[str]()
         head = [
             f"{ui('place')}{BREAK}{ui('kind')}",
             f"{ui('printed')}{BREAK}{ui('right')}",
@@ -132,7 +134,9 @@ class Writer:
             [
                 f"{self._links([one.where])}{BREAK}{ui(f'misprint_{one.kind}')}",
                 f"~~{self.say(words.printed(one))}~~{BREAK}**{self.say(words.right(one))}**",
-                self._reasons(one),
+                f"[{ui('in_print')} {self._document.name(one.where)}](#misprint-{one.key})"
+                if one.key in noted
+                else self._reasons(one),
                 self._links(one.travels) if one.travels else "–",
             ]
             for one in self._document.misprints
@@ -172,7 +176,7 @@ class Writer:
         number = f"**({display.label})**" if display.is_numbered else f"({display.label})"
         tag = f'<a class="tag" href="#{anchor(display.label)}">{number}</a>'
         lines = [self._line(line) for line in display.lines]
-        if len(lines) >= _MANY and any(line.formula.head for line in display.lines):
+        if _is_folded(display):
             lines = [lines[0], self._fold(display.lines[1:-1], lines[1:-1]), lines[-1]]
         style = "numbered" if display.is_numbered else "between"
         say = f"{tag} {self.say(display.say)}".rstrip()
@@ -235,6 +239,17 @@ class Writer:
         parts.extend([self._reasons(one), self._fate(one)])
         body = "\n\n".join(parts)
         return f'<div id="misprint-{escape(one.key)}">\n\n{body}\n\n</div>'
+
+    def _always_noted(self) -> set[str]:
+        """Give the misprints noted at numbered equations, on lines never folded."""
+        return {
+            one.key
+            for chapter in self._document.chapters
+            for display in chapter.displays
+            if display.is_numbered
+            for line in _unfolded(display)
+            for one in line.misprints
+        }
 
     def _reasons(self, one: Misprint) -> str:
         """Write what is wrong, how one knows, and the smallest numbers that show it."""
@@ -342,6 +357,16 @@ class Writer:
     def block(self, source: str) -> str:
         """Write a formula on lines of its own."""
         return f"```math\n{latex.display(source, self._room)}\n```"
+
+
+def _is_folded(display: Display) -> bool:
+    """Whether only the first and the last line of a chain are shown at once."""
+    return len(display.lines) >= _MANY and any(line.formula.head for line in display.lines)
+
+
+def _unfolded(display: Display) -> Sequence[Line]:
+    lines = display.lines
+    return (lines[0], lines[-1]) if _is_folded(display) else lines
 
 
 def _plain(text: str) -> str:
