@@ -77,6 +77,10 @@ def test_the_report(call, file: Path, language: str) -> None:
     assert "a&lt;b&gt;&amp;.csv" in page
     assert not re.findall(r'(?:src|href)="(?!data:image/png)', page)
     assert "<script" not in page
+    # A unit stays on the line of its number.
+    values = re.findall(r'<dd class="value">(.*?)</dd>', page)
+    assert any(re.search(r"\d\u00a0(mm|cm|m|s)\b", value) for value in values)
+    assert not any(re.search(r"\d (mm|cm|m|s|°/h)\b", value) for value in values)
     # Every number has a whole sentence.
     meanings = re.findall(r"<dd>(.*?)</dd>", page)
     assert len(meanings) > 8

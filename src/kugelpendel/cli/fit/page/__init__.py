@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from base64 import b64encode
 from importlib.metadata import version
 from importlib.resources import files
@@ -16,6 +17,9 @@ if TYPE_CHECKING:
 
 _LAST_FIGURES = ("spectrum",)
 """Figures that belong to no section of their own."""
+
+_WITHIN = re.compile("(?<=[0-9\u2070-\u2079\u00b9\u00b2\u00b3]) (?=1/|[°%]|[^\\W\\d_])|(?<=±) ")
+"""The gap between a number and its unit, or before an error."""
 
 
 def page(report: FitReport, figures: Mapping[str, bytes]) -> str:
@@ -38,7 +42,13 @@ def page(report: FitReport, figures: Mapping[str, bytes]) -> str:
         last=[name for name in _LAST_FIGURES if name in figures],
         style=style,
         version=version("kugelpendel"),
+        unbroken=_unbroken,
     )
+
+
+def _unbroken(text: str) -> str:
+    """Keep numbers on one line with their units."""
+    return _WITHIN.sub("\u00a0", text)
 
 
 def _embedded(figure: bytes) -> str:
