@@ -3,9 +3,13 @@
 Source: M. G. Olsson, Spherical pendulum revisited, Am. J. Phys. 49, 531 (1981), eqs. (25), (26).
 """
 
+# One number is array-like too, so overloads for it come first.
+# pyright: reportOverlappingOverload=false
+
 from __future__ import annotations
 
 from math import prod
+from typing import overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,6 +18,7 @@ from kugelpendel import _core
 from kugelpendel.parameters import (
     InvalidInput,
     Numbers,
+    OneNumber,
     Pendulum,
     Scalars,
     as_numbers,
@@ -22,6 +27,14 @@ from kugelpendel.parameters import (
 )
 
 
+@overload
+def precession(
+    a: OneNumber, b: OneNumber, length: OneNumber, gravity: OneNumber = ...
+) -> float: ...
+@overload
+def precession(
+    a: ArrayLike, b: ArrayLike, length: ArrayLike, gravity: ArrayLike = ...
+) -> Numbers: ...
 def precession(
     a: ArrayLike, b: ArrayLike, length: ArrayLike, gravity: ArrayLike = 9.80665
 ) -> Scalars:
@@ -53,6 +66,12 @@ def precession(
     return _shaped(_core.olsson_precession(prod(shape), columns), shape)
 
 
+@overload
+def frequency(a: OneNumber, b: OneNumber, length: OneNumber, gravity: OneNumber = ...) -> float: ...
+@overload
+def frequency(
+    a: ArrayLike, b: ArrayLike, length: ArrayLike, gravity: ArrayLike = ...
+) -> Numbers: ...
 def frequency(
     a: ArrayLike, b: ArrayLike, length: ArrayLike, gravity: ArrayLike = 9.80665
 ) -> Scalars:

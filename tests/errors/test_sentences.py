@@ -64,8 +64,8 @@ PYTHON: dict[str, Any] = {
     "launch_kind": lambda: kp.Launch("circle", (0.1,)),
     "launch_values": lambda: kp.Launch("ellipse", (0.1,)),
     "state_components": lambda: kp.Launch.state([0, 0], [0, 0, 0]),
-    "wrong_type": lambda: kp.ExactMotion(SWING, P),  # pyright: ignore[reportArgumentType]
-    "unknown_part": lambda: kp.RealMotion(P, SWING, wind=kp.Drag(1.0)),  # pyright: ignore[reportCallIssue]
+    "wrong_type": lambda: kp.ExactMotion(SWING, P),  # pyright: ignore[reportArgumentType, reportCallIssue]
+    "unknown_part": lambda: kp.RealMotion(P, SWING, wind=kp.Drag(1.0)),  # pyright: ignore[reportArgumentType, reportCallIssue]
     "parts_twice": lambda: kp.RealMotion(P, SWING, MASSES[1], drag=MASSES[0]),
     "slack": lambda: kp.RealMotion(P, LOOP).position(60.0),
     "averaged_to_support": lambda: kp.EnvelopeMotion(P, SWING, drag=kp.Drag(1e-3)).position(-1e5),

@@ -138,7 +138,7 @@ def test_what_is_no_number(maker: Maker, names: list[str], value: object) -> Non
 )
 def test_states_of_the_wrong_shape(position: object, velocity: object, said: str) -> None:
     with pytest.raises(InvalidInput, match=said):
-        Launch.state(position, velocity)  # pyright: ignore[reportArgumentType]
+        Launch.state(position, velocity)  # pyright: ignore[reportArgumentType, reportCallIssue]
 
 
 def test_shapes_that_do_not_fit() -> None:

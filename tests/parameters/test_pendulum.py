@@ -121,13 +121,13 @@ def test_what_is_no_number(value: object, seen: str) -> None:
         f"leave units out here: they are read from files and on the command line only.$"
     )
     with pytest.raises(InvalidInput, match=said):
-        Pendulum(value)  # pyright: ignore[reportArgumentType]
+        Pendulum(value)  # pyright: ignore[reportArgumentType, reportCallIssue]
     with pytest.raises(
         InvalidInput, match=f"^Gravity must be a number .* in m/s², but it is {seen}"
     ):
-        Pendulum(1.0, value)  # pyright: ignore[reportArgumentType]
+        Pendulum(1.0, value)  # pyright: ignore[reportArgumentType, reportCallIssue]
     with pytest.raises(InvalidInput, match=f"^The bob's mass must be a number .* in kg, .* {seen}"):
-        Pendulum(1.0, mass=value)  # pyright: ignore[reportArgumentType]
+        Pendulum(1.0, mass=value)  # pyright: ignore[reportArgumentType, reportCallIssue]
 
 
 def test_shapes_that_do_not_fit() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from math import inf, isfinite, prod
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+from typing import TYPE_CHECKING, Any, Generic, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,14 +20,12 @@ from kugelpendel.parameters import (
     Launch,
     Numbers,
     Pendulum,
-    Scalars,
+    Scalar_co,
     column,
     one_number,
 )
 
 if TYPE_CHECKING:
-    from typing import Self
-
     from xarray import Dataset
 
 EventKind: TypeAlias = Literal["outer", "inner", "bottom", "azimuth", "radius", "slack", "taut"]
@@ -50,7 +48,7 @@ _GRID = 24
 """Pieces of a half swing between which a change of sign is looked for."""
 
 
-class Motion(ABC):
+class Motion(ABC, Generic[Scalar_co]):
     """A pendulum under way: what plots, observables and exports take.
 
     All eight motions are one: whatever is given, arrays in it broadcast to an ensemble, a motion
@@ -59,7 +57,8 @@ class Motion(ABC):
     they can be hashed, pickled and copied, and nothing about them can be set.
 
     Scalars such as `frequency` are a float for a single motion and a read-only array for an
-    ensemble; arrays of positions and the like belong to whoever asked for them.
+    ensemble, and typed so: `Motion[float]`, `Motion[Numbers]`, or `Motion` for either. Arrays of
+    positions and the like belong to whoever asked for them.
     """
 
     _motions: Any
@@ -67,12 +66,12 @@ class Motion(ABC):
 
     @property
     @abstractmethod
-    def pendulum(self) -> Pendulum:
+    def pendulum(self) -> Pendulum[Scalar_co] | Pendulum[float]:
         """The pendulum as it was given."""
 
     @property
     @abstractmethod
-    def launch(self) -> Launch:
+    def launch(self) -> Launch[Scalar_co] | Launch[float]:
         """Position and velocity at t = 0, as they were given."""
 
     @property
@@ -92,7 +91,7 @@ class Motion(ABC):
 
     @property
     @abstractmethod
-    def frequency(self) -> Scalars:
+    def frequency(self) -> Scalar_co:
         """ω of the swing in the frame that turns with the precession, rad/s.
 
         Raises AttributeError for a motion whose frequency changes under way.
@@ -100,7 +99,7 @@ class Motion(ABC):
 
     @property
     @abstractmethod
-    def precession(self) -> Scalars:
+    def precession(self) -> Scalar_co:
         """Ω of that frame, rad/s, positive counter-clockwise seen from above.
 
         Raises AttributeError for a motion whose precession changes under way.
@@ -123,17 +122,17 @@ class Motion(ABC):
         """What the constructor was given, by name; what was left out is left out here too."""
 
     @property
-    def effective_pendulum(self) -> Pendulum:
+    def effective_pendulum(self) -> Pendulum[Scalar_co] | Pendulum[float]:
         """The point mass that moves like the bob: here the pendulum itself."""
         return self.pendulum
 
     @property
-    def rotation(self) -> Scalars:
+    def rotation(self) -> Scalar_co | float:
         """Rate of the ground about the vertical, rad/s, counter-clockwise seen from above."""
         return 0.0
 
     @property
-    def period(self) -> Scalars:
+    def period(self) -> Scalar_co:
         """2π/ω, s: there and back; infinite on the separatrix, where ω = 0.
 
         Raises AttributeError as `frequency` does.
@@ -277,10 +276,10 @@ class Motion(ABC):
     def __bool__(self) -> bool:
         return True  # an empty ensemble is a motion all the same
 
-    def __iter__(self) -> Iterator[Self]:
+    def __iter__(self) -> Iterator[Motion]:
         return (self[index] for index in range(len(self)))
 
-    def __getitem__(self, key: Any) -> Self:
+    def __getitem__(self, key: Any) -> Motion:
         """The motions at an index, a slice or a mask, as NumPy takes them."""
         if self.shape == () and not (isinstance(key, tuple) and not key):
             raise IndexError("a single motion cannot be indexed; only an ensemble can")

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Iterator
 from functools import cached_property
 from math import degrees
-from typing import Any, Unpack
+from typing import TYPE_CHECKING, Any, Unpack, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,7 +17,16 @@ from kugelpendel.motion._budget import CAUSES, PrecessionBudget
 from kugelpendel.motion._forced import ForcedMotion
 from kugelpendel.motion._kept import kept
 from kugelpendel.motion._times import checked_grid, checked_times
-from kugelpendel.parameters import ForceParts, Forces, Launch, Numbers, Pendulum, one_truth
+from kugelpendel.parameters import (
+    ForceParts,
+    Forces,
+    Launch,
+    Numbers,
+    Pendulum,
+    Scalar,
+    Scalar_co,
+    one_truth,
+)
 
 _AHEAD = 1e8
 """s: how far an end of the motion is looked for, some three years."""
@@ -49,7 +59,7 @@ _SWINGS = 100
 """Swings over which that error is measured."""
 
 
-class EnvelopeMotion(ForcedMotion):
+class EnvelopeMotion(ForcedMotion[Scalar_co]):
     """A real pendulum, averaged over its swings: an ellipse that turns, shrinks and widens.
 
     What `RealMotion` integrates swing by swing goes in some dozens of steps here, over days. Arrays
@@ -87,14 +97,36 @@ class EnvelopeMotion(ForcedMotion):
     Sources: the averages are in docs/conventions.md; Olsson (1981), eq. (25), (26).
     """
 
+    @overload
+    def __init__(
+        self: EnvelopeMotion[float],
+        pendulum: Pendulum[float],
+        launch: Launch[float],
+        forces: Forces[float] | None = None,
+        *,
+        exact: bool = ...,
+        **parts: Unpack[ForceParts[float]],
+    ) -> None: ...
+
+    @overload
+    def __init__(
+        self: EnvelopeMotion[Scalar],
+        pendulum: Pendulum[Scalar] | Pendulum[float],
+        launch: Launch[Scalar] | Launch[float],
+        forces: Forces[Scalar] | Forces[float] | None = None,
+        *,
+        exact: bool = ...,
+        **parts: Unpack[ForceParts[Scalar]],
+    ) -> None: ...
+
     def __init__(
         self,
-        pendulum: Pendulum,
-        launch: Launch,
-        forces: Forces | None = None,
+        pendulum: Pendulum[Scalar_co] | Pendulum[float],
+        launch: Launch[Scalar_co] | Launch[float],
+        forces: Forces[Scalar_co] | Forces[float] | None = None,
         *,
         exact: bool = True,
-        **parts: Unpack[ForceParts],
+        **parts: Unpack[ForceParts[Scalar_co]],
     ):
         self._give(pendulum, launch, forces, parts)
         self._exact = one_truth(exact, "The option exact")
@@ -109,6 +141,11 @@ class EnvelopeMotion(ForcedMotion):
                 f"24 h. Use RealMotion, or smaller swings.",
                 stacklevel=2,
             )
+
+    if TYPE_CHECKING:  # one of an ensemble may be a single motion: its type knows its class alone
+
+        def __getitem__(self, key: Any) -> EnvelopeMotion: ...
+        def __iter__(self) -> Iterator[EnvelopeMotion]: ...
 
     def _arguments(self) -> dict[str, Any]:
         other = {} if self._exact else {"exact": False}

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, final
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, final, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,11 +21,19 @@ from kugelpendel.motion._times import (
     checked_times,
     motion_shape,
 )
-from kugelpendel.parameters import Launch, Numbers, Pendulum, Scalars, column, require_given
+from kugelpendel.parameters import (
+    Launch,
+    Numbers,
+    Pendulum,
+    Scalar,
+    Scalar_co,
+    column,
+    require_given,
+)
 
 
 @final
-class ExactMotion(Motion):
+class ExactMotion(Motion[Scalar_co]):
     """The ideal spherical pendulum from any launch, at any time: no integration, no drift.
 
     Ellipses of any size, libration and rotation in a plane, cones, paths above the support and over
@@ -56,7 +65,23 @@ class ExactMotion(Motion):
     The motion is that of a rod: where `goes_slack` is true, a thread would leave the sphere.
     """
 
-    def __init__(self, pendulum: Pendulum, launch: Launch):
+    @overload
+    def __init__(
+        self: ExactMotion[float], pendulum: Pendulum[float], launch: Launch[float]
+    ) -> None: ...
+
+    @overload
+    def __init__(
+        self: ExactMotion[Scalar],
+        pendulum: Pendulum[Scalar] | Pendulum[float],
+        launch: Launch[Scalar] | Launch[float],
+    ) -> None: ...
+
+    def __init__(
+        self,
+        pendulum: Pendulum[Scalar_co] | Pendulum[float],
+        launch: Launch[Scalar_co] | Launch[float],
+    ):
         require_given("ExactMotion", pendulum, launch)
         self._pendulum = pendulum
         self._launch = launch
@@ -69,16 +94,21 @@ class ExactMotion(Motion):
         )
         self._refuse_bad()
 
+    if TYPE_CHECKING:  # one of an ensemble may be a single motion: its type knows its class alone
+
+        def __getitem__(self, key: Any) -> ExactMotion: ...
+        def __iter__(self) -> Iterator[ExactMotion]: ...
+
     def _arguments(self) -> dict[str, Any]:
         return {"pendulum": self._pendulum, "launch": self._launch}
 
     @property
-    def pendulum(self) -> Pendulum:
+    def pendulum(self) -> Pendulum[Scalar_co] | Pendulum[float]:
         """The pendulum as it was given."""
         return self._pendulum
 
     @property
-    def launch(self) -> Launch:
+    def launch(self) -> Launch[Scalar_co] | Launch[float]:
         """Position and velocity at t = 0, as they were given."""
         return self._launch
 
@@ -136,7 +166,7 @@ class ExactMotion(Motion):
         return self._shaped(self._motions.tension(times.ravel()), *times.shape)
 
     @kept
-    def frequency(self) -> Scalars:
+    def frequency(self) -> Scalar_co:
         """ω, rad/s: of the swing, in the frame that turns with the precession.
 
         π/T, T the time between highest points; 0 on the separatrix. In a vertical plane over the
@@ -145,12 +175,12 @@ class ExactMotion(Motion):
         return self._constant(self._motions.frequency())
 
     @kept
-    def period(self) -> Scalars:
+    def period(self) -> Scalar_co:
         """2π/ω, s: there and back, or once round a vertical circle; infinite on the separatrix."""
         return self._constant(self._motions.swing_period())
 
     @kept
-    def precession(self) -> Scalars:
+    def precession(self) -> Scalar_co:
         """Ω, rad/s, positive counter-clockwise seen from above: of the ellipse's major axis.
 
         (apsidal_angle − π)/radial_period for counter-clockwise motion; 0 in a vertical plane. Full
@@ -160,7 +190,7 @@ class ExactMotion(Motion):
         return self._constant(self._motions.precession())
 
     @kept
-    def radial_period(self) -> Scalars:
+    def radial_period(self) -> Scalar_co:
         """T, s: from one highest (outer) turning point to the next, half a swing to and fro.
 
         On a cone the limit of small oscillations about it; infinite on the separatrix; in a
@@ -169,7 +199,7 @@ class ExactMotion(Motion):
         return self._constant(self._motions.radial_period())
 
     @kept
-    def apsidal_angle(self) -> Scalars:
+    def apsidal_angle(self) -> Scalar_co:
         """Azimuth from one highest turning point to the next, rad, signed like the motion.
 
         π in a vertical plane, 2π over the top in it.
@@ -177,22 +207,22 @@ class ExactMotion(Motion):
         return self._constant(self._motions.apsidal_angle())
 
     @kept
-    def apsis_time(self) -> Scalars:
+    def apsis_time(self) -> Scalar_co:
         """First time ≥ 0 at a highest turning point, s; infinite on the separatrix."""
         return self._constant(self._motions.apsis_time())
 
     @kept
-    def apsis_azimuth(self) -> Scalars:
+    def apsis_azimuth(self) -> Scalar_co:
         """Azimuth at that time, rad in (−π, π]; 0 on the separatrix and at rest."""
         return self._constant(self._motions.apsis_azimuth())
 
     @kept
-    def energy(self) -> Scalars:
+    def energy(self) -> Scalar_co:
         """Kinetic and potential, J/kg, from the lowest point of the sphere."""
         return self._constant(self._motions.energy())
 
     @kept
-    def angular_momentum(self) -> Scalars:
+    def angular_momentum(self) -> Scalar_co:
         """x·vy − y·vx, m²/s, positive counter-clockwise seen from above."""
         return self._constant(self._motions.angular_momentum())
 
@@ -219,7 +249,7 @@ class ExactMotion(Motion):
         return bool(slack) if self._shape == () else slack
 
     @kept
-    def slack_time(self) -> Scalars:
+    def slack_time(self) -> Scalar_co:
         """First time ≥ 0 at which a thread goes slack, s; infinite if it never does."""
         return self._constant(self._motions.slack_time())
 
@@ -247,7 +277,7 @@ class ExactMotion(Motion):
         )
 
     @property
-    def amplitude(self) -> Scalars:
+    def amplitude(self) -> Scalar_co:
         """The outer turning radius, m, or the length where the path rises above the support.
 
         What errors of position are given as a fraction of.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from kugelpendel.parameters import (
     Launch,
     Numbers,
     Pendulum,
-    Scalars,
+    Scalar_co,
     column,
     gathered,
     require_given,
@@ -24,16 +24,20 @@ from kugelpendel.parameters import (
 )
 
 
-class ForcedMotion(ActedOn, Motion):
+class ForcedMotion(ActedOn[Scalar_co], Motion[Scalar_co]):
     """A pendulum under the forces that act on it."""
 
-    _pendulum: Pendulum
-    _launch: Launch
-    _forces: Forces
+    _pendulum: Pendulum[Scalar_co] | Pendulum[float]
+    _launch: Launch[Scalar_co] | Launch[float]
+    _forces: Forces[Scalar_co] | Forces[float]
     _shape: tuple[int, ...]
 
     def _give(
-        self, pendulum: Pendulum, launch: Launch, forces: Forces | None, parts: ForceParts
+        self,
+        pendulum: Pendulum[Scalar_co] | Pendulum[float],
+        launch: Launch[Scalar_co] | Launch[float],
+        forces: Forces[Scalar_co] | Forces[float] | None,
+        parts: ForceParts[Scalar_co],
     ) -> None:
         """Keep what was given; raises InvalidInput for what is not of its type or does not fit."""
         require_given(type(self).__name__, pendulum, launch)
@@ -46,27 +50,28 @@ class ForcedMotion(ActedOn, Motion):
         self._pendulum, self._launch, self._forces = pendulum, launch, acting
 
     @property
-    def pendulum(self) -> Pendulum:
+    def pendulum(self) -> Pendulum[Scalar_co] | Pendulum[float]:
         """What swings, as given."""
         return self._pendulum
 
     @property
-    def launch(self) -> Launch:
+    def launch(self) -> Launch[Scalar_co] | Launch[float]:
         """Position and velocity at t = 0, as given."""
         return self._launch
 
     @property
-    def forces(self) -> Forces:
+    def forces(self) -> Forces[Scalar_co] | Forces[float]:
         """Everything that acts beside gravity and the thread."""
         return self._forces
 
     @kept
-    def effective_pendulum(self) -> Pendulum:
+    def effective_pendulum(self) -> Pendulum[Scalar_co] | Pendulum[float]:
         """The point mass that moves like this bob."""
-        return self._forces.effective_pendulum(self._pendulum)
+        point = self._forces.effective_pendulum(self._pendulum)
+        return cast("Pendulum[Scalar_co]", point)
 
     @property
-    def angular_frequency(self) -> Scalars:
+    def angular_frequency(self) -> Scalar_co | float:
         """ω0, rad/s: of infinitesimal swings, with the bob's correction."""
         return self.effective_pendulum.angular_frequency
 
@@ -76,17 +81,17 @@ class ForcedMotion(ActedOn, Motion):
         return self._shape
 
     @property
-    def rotation(self) -> Scalars:
+    def rotation(self) -> Scalar_co | float:
         """Rate of the ground about the vertical, rad/s, counter-clockwise seen from above."""
         return 0.0 if self.site is None else self.site.vertical_rotation
 
     @property
-    def frequency(self) -> Scalars:
+    def frequency(self) -> Scalar_co:
         """There is none that stays: forces change it. Raises AttributeError with the way out."""
         raise AttributeError(self._changes("frequency"))
 
     @property
-    def precession(self) -> Scalars:
+    def precession(self) -> Scalar_co:
         """There is none that stays: forces change it. Raises AttributeError with the way out."""
         raise AttributeError(self._changes("precession"))
 

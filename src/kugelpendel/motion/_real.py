@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal, TypeAlias, Unpack
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, Unpack, overload
 
 import numpy as np
 
@@ -10,7 +11,16 @@ from kugelpendel import _core
 from kugelpendel.errors import InvalidInput
 from kugelpendel.motion._forced import ForcedMotion
 from kugelpendel.motion._walk import SteppedMotion
-from kugelpendel.parameters import ForceParts, Forces, Launch, Pendulum, column, one_number
+from kugelpendel.parameters import (
+    ForceParts,
+    Forces,
+    Launch,
+    Pendulum,
+    Scalar,
+    Scalar_co,
+    column,
+    one_number,
+)
 
 Thread: TypeAlias = Literal["ends", "flies", "rod"]
 
@@ -20,7 +30,7 @@ _LOOKED = 1000
 """Small swings over which an end is looked for."""
 
 
-class RealMotion(ForcedMotion, SteppedMotion):
+class RealMotion(ForcedMotion[Scalar_co], SteppedMotion[Scalar_co]):
     """A pendulum on the turning Earth, in air, on an imperfect suspension, driven or not.
 
     The full equations on the sphere, integrated by Taylor series of order 20 with dense output.
@@ -73,15 +83,39 @@ class RealMotion(ForcedMotion, SteppedMotion):
     of the forces are in docs/conventions.md.
     """
 
+    @overload
+    def __init__(
+        self: RealMotion[float],
+        pendulum: Pendulum[float],
+        launch: Launch[float],
+        forces: Forces[float] | None = None,
+        *,
+        thread: Thread = ...,
+        tolerance: float = ...,
+        **parts: Unpack[ForceParts[float]],
+    ) -> None: ...
+
+    @overload
+    def __init__(
+        self: RealMotion[Scalar],
+        pendulum: Pendulum[Scalar] | Pendulum[float],
+        launch: Launch[Scalar] | Launch[float],
+        forces: Forces[Scalar] | Forces[float] | None = None,
+        *,
+        thread: Thread = ...,
+        tolerance: float = ...,
+        **parts: Unpack[ForceParts[Scalar]],
+    ) -> None: ...
+
     def __init__(
         self,
-        pendulum: Pendulum,
-        launch: Launch,
-        forces: Forces | None = None,
+        pendulum: Pendulum[Scalar_co] | Pendulum[float],
+        launch: Launch[Scalar_co] | Launch[float],
+        forces: Forces[Scalar_co] | Forces[float] | None = None,
         *,
         thread: Thread = "ends",
         tolerance: float = _FINEST,
-        **parts: Unpack[ForceParts],
+        **parts: Unpack[ForceParts[Scalar_co]],
     ):
         if str(thread) not in _THREADS:
             raise InvalidInput(
@@ -98,6 +132,11 @@ class RealMotion(ForcedMotion, SteppedMotion):
         self._tolerance = tolerance
         self._motions = _core.RealMotions(*self._columns, thread, tolerance)
         self._refuse_bad()
+
+    if TYPE_CHECKING:  # one of an ensemble may be a single motion: its type knows its class alone
+
+        def __getitem__(self, key: Any) -> RealMotion: ...
+        def __iter__(self) -> Iterator[RealMotion]: ...
 
     def _arguments(self) -> dict[str, Any]:
         options = {"thread": (self._thread, "ends"), "tolerance": (self._tolerance, _FINEST)}

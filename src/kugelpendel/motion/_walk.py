@@ -15,7 +15,7 @@ from kugelpendel import _core
 from kugelpendel.errors import InvalidInput, MotionEnded
 from kugelpendel.motion._base import MOST_EVENTS, EventKind, Motion
 from kugelpendel.motion._times import checked_grid, checked_times
-from kugelpendel.parameters import Numbers, one_number
+from kugelpendel.parameters import Numbers, Scalar_co, one_number
 
 AskedEvent: TypeAlias = EventKind | tuple[EventKind, float]
 
@@ -97,7 +97,7 @@ class _Core(Protocol):
     ) -> tuple[int, float, float, str, Numbers, Numbers, Numbers, list[tuple[Numbers, ...]]]: ...
 
 
-class SteppedMotion(Motion):
+class SteppedMotion(Motion[Scalar_co]):
     """A motion that is integrated, and goes on from where it was.
 
     Every request goes on from the last checkpoint at or before its first time, with the same steps

@@ -15,6 +15,9 @@ from kugelpendel.parameters._given import Given as Given
 from kugelpendel.parameters._given import require_type as require_type
 from kugelpendel.parameters._launch import Launch as Launch
 from kugelpendel.parameters._numbers import Numbers as Numbers
+from kugelpendel.parameters._numbers import OneNumber as OneNumber
+from kugelpendel.parameters._numbers import Scalar as Scalar
+from kugelpendel.parameters._numbers import Scalar_co as Scalar_co
 from kugelpendel.parameters._numbers import Scalars as Scalars
 from kugelpendel.parameters._numbers import as_array as as_array
 from kugelpendel.parameters._numbers import as_numbers as as_numbers

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, overload
 
 from numpy.typing import ArrayLike
 
 from kugelpendel.parameters._derived import derived
 from kugelpendel.parameters._given import Given
-from kugelpendel.parameters._numbers import Scalars, as_numbers
+from kugelpendel.parameters._numbers import Numbers, OneNumber, Scalar_co, Scalars, as_numbers
 
 
 @dataclass(frozen=True, eq=False, init=False, repr=False)
-class Bob(Given):
+class Bob(Given[Scalar_co]):
     """A homogeneous ball, or an ensemble of balls where arrays are given; they broadcast.
 
     Parameters
@@ -35,10 +35,10 @@ class Bob(Given):
         broadcast. In an ensemble a bad case becomes NaN in the motion, which gives the reason.
     """
 
-    radius: Scalars
-    density: Scalars
-    thread_mass: Scalars
-    air_density: Scalars
+    radius: Scalar_co
+    density: Scalar_co
+    thread_mass: Scalar_co
+    air_density: Scalar_co
 
     part = "bob"
     units: ClassVar = {
@@ -48,6 +48,24 @@ class Bob(Given):
         "air_density": "kg/m³",
     }
     follows: ClassVar = {"mass": "kg"}
+
+    @overload
+    def __init__(
+        self: Bob[float],
+        radius: OneNumber,
+        density: OneNumber,
+        thread_mass: OneNumber = ...,
+        air_density: OneNumber = ...,
+    ) -> None: ...
+
+    @overload
+    def __init__(
+        self: Bob[Numbers],
+        radius: ArrayLike,
+        density: ArrayLike,
+        thread_mass: ArrayLike = ...,
+        air_density: ArrayLike = ...,
+    ) -> None: ...
 
     def __init__(
         self,
@@ -65,9 +83,15 @@ class Bob(Given):
         )
 
     @property
-    def mass(self) -> Scalars:
+    def mass(self) -> Scalar_co:
         """4/3 π r³ times the density, kg; this is not `Pendulum.mass`, which scales the tension."""
         return derived("bob_mass", "the bob", self.prefixed)
+
+    @overload
+    def gravity_factor(self: Bob[float], length: OneNumber) -> float: ...
+
+    @overload
+    def gravity_factor(self, length: ArrayLike) -> Scalars: ...
 
     def gravity_factor(self, length: ArrayLike) -> Scalars:
         """κ: small swings are those of a point mass under the gravity κg, so T ∝ 1/√κ.

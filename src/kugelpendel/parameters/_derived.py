@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import prod
+from typing import Any
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from kugelpendel.errors import InvalidInput, Told
 from kugelpendel.parameters._numbers import Scalars, column, common_shape, unfit
 
 
-def derived(what: str, names: str, given: dict[str, Scalars]) -> Scalars:
+def derived(what: str, names: str, given: dict[str, Scalars]) -> Any:
     """What the core calls `what`, of numbers named as in "bob.radius".
 
     Parameters

@@ -1,21 +1,24 @@
 """What the air takes away."""
 
+# One number is array-like too, so overloads for it come first.
+# pyright: reportOverlappingOverload=false
+
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, overload
 
 from numpy.typing import ArrayLike
 
 from kugelpendel.parameters._bob import Bob
 from kugelpendel.parameters._derived import Origin, derived
 from kugelpendel.parameters._given import Given, require_type
-from kugelpendel.parameters._numbers import Scalars, as_numbers
+from kugelpendel.parameters._numbers import Numbers, OneNumber, Scalar_co, Scalars, as_numbers
 from kugelpendel.parameters._pendulum import Pendulum
 
 
 @dataclass(frozen=True, eq=False, init=False, repr=False)
-class Drag(Given):
+class Drag(Given[Scalar_co]):
     """A force −2γv − c|v|v per unit mass, or an ensemble of them where arrays are given.
 
     Parameters
@@ -38,15 +41,33 @@ class Drag(Given):
     Am. J. Phys. 54, 112 (1986), section on damping.
     """
 
-    linear: Scalars
-    quadratic: Scalars
+    linear: Scalar_co
+    quadratic: Scalar_co
 
     part = "drag"
     units: ClassVar = {"linear": "1/s", "quadratic": "1/m"}
     strengths = ("linear", "quadratic")
 
+    @overload
+    def __init__(
+        self: Drag[float], linear: OneNumber = ..., quadratic: OneNumber = ...
+    ) -> None: ...
+
+    @overload
+    def __init__(
+        self: Drag[Numbers], linear: ArrayLike = ..., quadratic: ArrayLike = ...
+    ) -> None: ...
+
     def __init__(self, linear: ArrayLike = 0.0, quadratic: ArrayLike = 0.0):
         self._give("the linear and the quadratic drag", linear=linear, quadratic=quadratic)
+
+    @overload
+    @classmethod
+    def from_quality(cls, quality: OneNumber, pendulum: Pendulum[float]) -> Drag[float]: ...
+
+    @overload
+    @classmethod
+    def from_quality(cls, quality: ArrayLike, pendulum: Pendulum) -> Drag: ...
 
     @classmethod
     def from_quality(cls, quality: ArrayLike, pendulum: Pendulum) -> Drag:
@@ -63,8 +84,16 @@ class Drag(Given):
             "pendulum.angular_frequency": pendulum.angular_frequency,
         }
         what = "linear_from_quality"
-        drag = cls(derived(what, "the quality and the pendulum", given))
+        drag: Drag = Drag(derived(what, "the quality and the pendulum", given))
         return drag._derived_from(linear=Origin(what, given))
+
+    @overload
+    @classmethod
+    def from_half_life(cls, half_life: OneNumber) -> Drag[float]: ...
+
+    @overload
+    @classmethod
+    def from_half_life(cls, half_life: ArrayLike) -> Drag[Numbers]: ...
 
     @classmethod
     def from_half_life(cls, half_life: ArrayLike) -> Drag:
@@ -75,7 +104,34 @@ class Drag(Given):
         """
         given = {"drag.half_life": as_numbers(half_life, "drag.half_life", "s")}
         what = "linear_from_half_life"
-        return cls(derived(what, "the half life", given))._derived_from(linear=Origin(what, given))
+        drag: Drag = Drag(derived(what, "the half life", given))
+        return drag._derived_from(linear=Origin(what, given))
+
+    @overload
+    @classmethod
+    def from_bob(
+        cls,
+        bob: Bob[float],
+        pendulum: Pendulum[float],
+        *,
+        air_viscosity: OneNumber = ...,
+        drag_coefficient: OneNumber = ...,
+        thread_diameter: OneNumber = ...,
+        thread_drag_coefficient: OneNumber = ...,
+    ) -> Drag[float]: ...
+
+    @overload
+    @classmethod
+    def from_bob(
+        cls,
+        bob: Bob,
+        pendulum: Pendulum,
+        *,
+        air_viscosity: ArrayLike = ...,
+        drag_coefficient: ArrayLike = ...,
+        thread_diameter: ArrayLike = ...,
+        thread_drag_coefficient: ArrayLike = ...,
+    ) -> Drag: ...
 
     @classmethod
     def from_bob(
@@ -140,5 +196,5 @@ class Drag(Given):
         given |= bob.prefixed | pendulum.prefixed
         names = "the bob, the pendulum and the air"
         linear, quadratic = Origin("linear_from_bob", given), Origin("quadratic_from_bob", given)
-        drag = cls(*(derived(origin.what, names, given) for origin in (linear, quadratic)))
+        drag: Drag = Drag(*(derived(origin.what, names, given) for origin in (linear, quadratic)))
         return drag._derived_from(linear=linear, quadratic=quadratic)

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, overload
 
 from numpy.typing import ArrayLike
 
 from kugelpendel.errors import InvalidInput
 from kugelpendel.parameters._given import Given
-from kugelpendel.parameters._numbers import Scalars
+from kugelpendel.parameters._numbers import Numbers, OneNumber, Scalar_co
 
 
 @dataclass(frozen=True, eq=False, init=False, repr=False)
-class Drive(Given):
+class Drive(Given[Scalar_co]):
     """A sudden radial change of velocity once in every half swing, or an ensemble of such drives.
 
     Parameters
@@ -36,13 +36,29 @@ class Drive(Given):
         finite. In an ensemble a bad case becomes NaN in the motion, which gives the reason.
     """
 
-    push: Scalars
-    phase: Scalars | None
-    radius: Scalars | None
+    push: Scalar_co
+    phase: Scalar_co | None
+    radius: Scalar_co | None
 
     part = "drive"
     units: ClassVar = {"push": "m/s", "phase": "rad", "radius": "m"}
     strengths = ("push",)
+
+    @overload
+    def __init__(
+        self: Drive[float],
+        push: OneNumber,
+        phase: OneNumber | None = ...,
+        radius: OneNumber | None = ...,
+    ) -> None: ...
+
+    @overload
+    def __init__(
+        self: Drive[Numbers],
+        push: ArrayLike,
+        phase: ArrayLike | None = ...,
+        radius: ArrayLike | None = ...,
+    ) -> None: ...
 
     def __init__(
         self, push: ArrayLike, phase: ArrayLike | None = None, radius: ArrayLike | None = None

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
-from typing import Any, TypedDict
+from dataclasses import dataclass
+from typing import Any, Generic, TypedDict, Unpack, overload
 
 import numpy as np
 
@@ -14,20 +14,20 @@ from kugelpendel.parameters._drag import Drag
 from kugelpendel.parameters._drive import Drive
 from kugelpendel.parameters._given import LONGEST, Given, require_type
 from kugelpendel.parameters._launch import Launch
-from kugelpendel.parameters._numbers import Numbers
+from kugelpendel.parameters._numbers import Numbers, Scalar, Scalar_co
 from kugelpendel.parameters._pendulum import Pendulum
 from kugelpendel.parameters._site import Site
 from kugelpendel.parameters._suspension import Suspension
 
 
-class ForceParts(TypedDict, total=False):
-    """The parts of `Forces` as keywords of a motion."""
+class ForceParts(TypedDict, Generic[Scalar_co], total=False):
+    """The parts of `Forces` as keywords; a single part goes with an ensemble of the others."""
 
-    site: Site | None
-    drag: Drag | None
-    suspension: Suspension | None
-    bob: Bob | None
-    drive: Drive | None
+    site: Site[Scalar_co] | Site[float] | None
+    drag: Drag[Scalar_co] | Drag[float] | None
+    suspension: Suspension[Scalar_co] | Suspension[float] | None
+    bob: Bob[Scalar_co] | Bob[float] | None
+    drive: Drive[Scalar_co] | Drive[float] | None
 
 
 FORCE_PARTS: dict[str, type[Given]] = {
@@ -40,8 +40,8 @@ FORCE_PARTS: dict[str, type[Given]] = {
 """What the parts of `Forces` are made of, in the order in which they are told."""
 
 
-@dataclass(frozen=True, kw_only=True, repr=False)
-class Forces:
+@dataclass(frozen=True, init=False, repr=False)
+class Forces(Generic[Scalar_co]):
     """What acts on a pendulum: one object for all of it; None for what is not there.
 
     Parameters
@@ -60,16 +60,25 @@ class Forces:
     Raises
     ------
     InvalidInput
-        For a part of another type, and for shapes that do not broadcast.
+        For an unknown part and one of another type, and for shapes that do not broadcast.
     """
 
-    site: Site | None = None
-    drag: Drag | None = None
-    suspension: Suspension | None = None
-    bob: Bob | None = None
-    drive: Drive | None = None
+    site: Site[Scalar_co] | Site[float] | None
+    drag: Drag[Scalar_co] | Drag[float] | None
+    suspension: Suspension[Scalar_co] | Suspension[float] | None
+    bob: Bob[Scalar_co] | Bob[float] | None
+    drive: Drive[Scalar_co] | Drive[float] | None
 
-    def __post_init__(self) -> None:
+    @overload
+    def __init__(self: Forces[float], **parts: Unpack[ForceParts[float]]) -> None: ...
+
+    @overload
+    def __init__(self: Forces[Scalar], **parts: Unpack[ForceParts[Scalar]]) -> None: ...
+
+    def __init__(self, **parts: Unpack[ForceParts]):
+        _refuse_unknown("Forces", parts)
+        for name in FORCE_PARTS:
+            object.__setattr__(self, name, parts.get(name))
         for name, part in self.parts.items():
             way_out = f"write {name}=kp.{FORCE_PARTS[name].__name__}(…)"
             require_type(name, part, FORCE_PARTS[name], way_out=way_out)
@@ -81,7 +90,7 @@ class Forces:
     @property
     def parts(self) -> dict[str, Given]:
         """Those that are there, by their names."""
-        given: dict[str, Given | None] = {f.name: getattr(self, f.name) for f in fields(self)}
+        given: dict[str, Given | None] = {name: getattr(self, name) for name in FORCE_PARTS}
         return {name: part for name, part in given.items() if part is not None}
 
     @property
@@ -97,6 +106,12 @@ class Forces:
         """
         strengths = (getattr(part, s) for part in self.parts.values() for s in part.strengths)
         return any(np.any(np.asarray(strength) != 0) for strength in strengths)
+
+    @overload
+    def effective_pendulum(self: Forces[float], pendulum: Pendulum[float]) -> Pendulum[float]: ...
+
+    @overload
+    def effective_pendulum(self, pendulum: Pendulum) -> Pendulum: ...
 
     def effective_pendulum(self, pendulum: Pendulum) -> Pendulum:
         """The point mass that moves like this bob: its gravity takes in buoyancy and inertia.
@@ -128,41 +143,43 @@ class Forces:
         return text if len(text) <= LONGEST else f"{text[: LONGEST - 2]}…)"
 
 
-class ActedOn:
+class ActedOn(Generic[Scalar_co]):
     """What has `forces`, and each of their parts under its own name; None for what is not there."""
 
     @property
-    def forces(self) -> Forces:
+    def forces(self) -> Forces[Scalar_co] | Forces[float]:
         """Everything that acts beside gravity and the thread."""
         raise NotImplementedError
 
     @property
-    def site(self) -> Site | None:
+    def site(self) -> Site[Scalar_co] | Site[float] | None:
         """Where it hangs; None for a ground that does not turn."""
         return self.forces.site
 
     @property
-    def drag(self) -> Drag | None:
+    def drag(self) -> Drag[Scalar_co] | Drag[float] | None:
         """Of the air; None for a vacuum."""
         return self.forces.drag
 
     @property
-    def suspension(self) -> Suspension | None:
+    def suspension(self) -> Suspension[Scalar_co] | Suspension[float] | None:
         """None for a perfect one."""
         return self.forces.suspension
 
     @property
-    def bob(self) -> Bob | None:
+    def bob(self) -> Bob[Scalar_co] | Bob[float] | None:
         """None for a point mass."""
         return self.forces.bob
 
     @property
-    def drive(self) -> Drive | None:
+    def drive(self) -> Drive[Scalar_co] | Drive[float] | None:
         """None for a free pendulum."""
         return self.forces.drive
 
 
-def gathered(what: str, forces: Any, parts: ForceParts) -> Forces:
+def gathered(
+    what: str, forces: Forces[Scalar] | Forces[float] | None, parts: ForceParts[Scalar]
+) -> Forces[Scalar] | Forces[float]:
     """What acts on a motion, given as one object or by its parts.
 
     Parameters
@@ -179,11 +196,7 @@ def gathered(what: str, forces: Any, parts: ForceParts) -> Forces:
     InvalidInput
         For both at once, for something else in place of forces, and for unknown parts.
     """
-    known = [field.name for field in fields(Forces)]
-    unknown = [name for name in parts if name not in known]
-    if unknown:
-        listed = ", ".join(known)
-        raise InvalidInput.of("unknown_part", what=what, seen=unknown[0], known=listed)
+    _refuse_unknown(what, parts)
     if forces is None:
         return Forces(**parts)
     require_type("forces", forces, Forces, way_out="write kp.Forces(drag=…)")
@@ -191,6 +204,13 @@ def gathered(what: str, forces: Any, parts: ForceParts) -> Forces:
     if given:
         raise InvalidInput.of("parts_twice", seen=", ".join(given))
     return forces
+
+
+def _refuse_unknown(what: str, parts: ForceParts) -> None:
+    for name in parts:
+        if name not in FORCE_PARTS:
+            known = ", ".join(FORCE_PARTS)
+            raise InvalidInput.of("unknown_part", what=what, seen=name, known=known)
 
 
 def unfit_parts(*parts: Any) -> InvalidInput:
@@ -201,10 +221,13 @@ def unfit_parts(*parts: Any) -> InvalidInput:
 
 def require_given(motion: str, pendulum: Any, launch: Any) -> None:
     """Raise InvalidInput unless a motion is given a pendulum and a launch, in this order."""
-    if isinstance(pendulum, Pendulum) and isinstance(launch, Launch):
+    given = ((pendulum, Pendulum), (launch, Launch))
+    if all(isinstance(part, kind) for part, kind in given):
         return
     call = f"kp.{motion}(kp.Pendulum(length), kp.Launch.ellipse(a, b))"
-    swapped = isinstance(pendulum, Launch) and isinstance(launch, Pendulum)
+    swapped = all(
+        isinstance(part, kind) for (part, _), (_, kind) in zip(given, given[::-1], strict=True)
+    )
     way_out = f"the pendulum comes first: {call}" if swapped else f"write {call}"
     require_type(f"The pendulum of {motion}", pendulum, Pendulum, way_out=way_out)
     require_type(f"The launch of {motion}", launch, Launch, way_out=way_out)

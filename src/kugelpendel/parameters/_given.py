@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import ClassVar, Self, cast
+from typing import ClassVar, Generic, Self, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,6 +13,7 @@ from kugelpendel.errors import InvalidInput, Told
 from kugelpendel.parameters._derived import Origin
 from kugelpendel.parameters._numbers import (
     Numbers,
+    Scalar_co,
     Scalars,
     as_numbers,
     column,
@@ -26,7 +27,7 @@ LONGEST = 200
 """Characters of a representation."""
 
 
-class Given:
+class Given(Generic[Scalar_co]):
     """Numbers that belong together; arrays among them broadcast to an ensemble.
 
     A single case that makes no sense is refused at once. A bad case of an ensemble is kept, and

@@ -1,9 +1,13 @@
 """How the motion begins."""
 
+# One number is array-like too, so overloads for it come first.
+# pyright: reportOverlappingOverload=false
+
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar, cast
+from typing import ClassVar, Generic, cast, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,6 +17,8 @@ from kugelpendel.errors import InvalidInput
 from kugelpendel.parameters._given import spelled
 from kugelpendel.parameters._numbers import (
     Numbers,
+    OneNumber,
+    Scalar_co,
     Scalars,
     as_numbers,
     column,
@@ -28,7 +34,7 @@ _ANGLES = {"theta": "rad", "phi": "rad"}
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Launch:
+class Launch(Generic[Scalar_co]):
     """Position and velocity at t = 0, in the words of whoever launches.
 
     Made by one of the class methods; arrays are an ensemble and broadcast, with one another and
@@ -51,7 +57,7 @@ class Launch:
     """
 
     kind: str
-    values: tuple[Scalars, ...]
+    values: tuple[Scalar_co, ...]
 
     kinds: ClassVar[dict[str, dict[str, str]]] = {
         "ellipse": _ELLIPSE,
@@ -62,6 +68,14 @@ class Launch:
         "at_rest": _ANGLES,
     }
     """The units of the values of each kind, under their names."""
+
+    @overload
+    @classmethod
+    def ellipse(cls, a: OneNumber, b: OneNumber, azimuth: OneNumber = ...) -> Launch[float]: ...
+
+    @overload
+    @classmethod
+    def ellipse(cls, a: ArrayLike, b: ArrayLike, azimuth: ArrayLike = ...) -> Launch[Numbers]: ...
 
     @classmethod
     def ellipse(cls, a: ArrayLike, b: ArrayLike, azimuth: ArrayLike = 0.0) -> Launch:
@@ -79,6 +93,14 @@ class Launch:
         """
         return cls._of("ellipse", a, b, azimuth)
 
+    @overload
+    @classmethod
+    def apsides(cls, a: OneNumber, b: OneNumber, azimuth: OneNumber = ...) -> Launch[float]: ...
+
+    @overload
+    @classmethod
+    def apsides(cls, a: ArrayLike, b: ArrayLike, azimuth: ArrayLike = ...) -> Launch[Numbers]: ...
+
     @classmethod
     def apsides(cls, a: ArrayLike, b: ArrayLike, azimuth: ArrayLike = 0.0) -> Launch:
         """The exact turning radii, both on the lower half of the sphere; starts at the outer one.
@@ -94,10 +116,38 @@ class Launch:
         """
         return cls._of("apsides", a, b, azimuth)
 
+    @overload
+    @classmethod
+    def plane(cls, x: OneNumber, y: OneNumber, vx: OneNumber, vy: OneNumber) -> Launch[float]: ...
+
+    @overload
+    @classmethod
+    def plane(cls, x: ArrayLike, y: ArrayLike, vx: ArrayLike, vy: ArrayLike) -> Launch[Numbers]: ...
+
     @classmethod
     def plane(cls, x: ArrayLike, y: ArrayLike, vx: ArrayLike, vy: ArrayLike) -> Launch:
         """The plan view from above, m and m/s; z and its rate follow, on the lower half."""
         return cls._of("plane", x, y, vx, vy)
+
+    @overload
+    @classmethod
+    def angles(
+        cls,
+        theta: OneNumber,
+        phi: OneNumber = ...,
+        theta_rate: OneNumber = ...,
+        phi_rate: OneNumber = ...,
+    ) -> Launch[float]: ...
+
+    @overload
+    @classmethod
+    def angles(
+        cls,
+        theta: ArrayLike,
+        phi: ArrayLike = ...,
+        theta_rate: ArrayLike = ...,
+        phi_rate: ArrayLike = ...,
+    ) -> Launch[Numbers]: ...
 
     @classmethod
     def angles(
@@ -114,6 +164,14 @@ class Launch:
         """
         return cls._of("angles", theta, phi, theta_rate, phi_rate)
 
+    @overload
+    @classmethod
+    def state(cls, position: Sequence[float], velocity: Sequence[float]) -> Launch[float]: ...
+
+    @overload
+    @classmethod
+    def state(cls, position: ArrayLike, velocity: ArrayLike) -> Launch: ...
+
     @classmethod
     def state(cls, position: ArrayLike, velocity: ArrayLike) -> Launch:
         """Position from the support, m, z down, and velocity, m/s: shape (..., 3) each.
@@ -129,6 +187,14 @@ class Launch:
             columns += [vector[..., k] for k in range(3)]
         return cls._of("state", *columns)
 
+    @overload
+    @classmethod
+    def at_rest(cls, theta: OneNumber, phi: OneNumber = ...) -> Launch[float]: ...
+
+    @overload
+    @classmethod
+    def at_rest(cls, theta: ArrayLike, phi: ArrayLike = ...) -> Launch[Numbers]: ...
+
     @classmethod
     def at_rest(cls, theta: ArrayLike, phi: ArrayLike = 0.0) -> Launch:
         """Let go at the angle θ from the downward vertical, azimuth φ; rad."""
@@ -136,7 +202,7 @@ class Launch:
 
     @classmethod
     def _of(cls, kind: str, *values: ArrayLike) -> Launch:
-        return cls(kind, cast("tuple[Scalars, ...]", values))
+        return Launch(kind, cast("tuple[Scalars, ...]", values))
 
     def __post_init__(self) -> None:
         kind, values = _checked(self.kind, self.values)
@@ -172,11 +238,10 @@ class Launch:
         return spelled(f"Launch.{self.kind}", self.named, self.kinds[self.kind])
 
     def __eq__(self, other: object) -> bool:
-        return (
-            isinstance(other, Launch)
-            and self.kind == other.kind
-            and equal(self.values, other.values)
-        )
+        if not isinstance(other, Launch):
+            return NotImplemented
+        theirs = cast("Launch", other)
+        return self.kind == theirs.kind and equal(self.values, theirs.values)
 
     def __hash__(self) -> int:
         return hash((self.kind, hashed(self.values)))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any, TypeAlias, cast
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,24 @@ from kugelpendel.errors import InvalidInput
 Numbers: TypeAlias = NDArray[np.float64]
 Scalars: TypeAlias = float | Numbers
 """A float where one number was given, a read-only array where several were."""
+
+OneNumber: TypeAlias = float | np.floating[Any] | np.integer[Any]
+"""What makes a single case for sure; what else is given may be an ensemble."""
+
+Scalar = TypeVar("Scalar", bound=Scalars)
+"""Either of the two in a signature."""
+
+if TYPE_CHECKING:
+    # The default is Python 3.13's; type checkers bring this package's types with them.
+    from typing_extensions import TypeVar as _TypeVar
+
+    Scalar_co = _TypeVar("Scalar_co", bound=Scalars, default=Scalars, covariant=True)
+else:
+    Scalar_co = TypeVar("Scalar_co", bound=Scalars, covariant=True)
+"""What the scalars of a class are: `Pendulum[float]`, `Pendulum[Numbers]`, or either: `Pendulum`.
+
+Decided by what the constructor is given. An argument of the type `Scalars` counts as an array.
+"""
 
 _PLAIN_UNIT = str.maketrans({"²": "^2", "³": "^3", "·": "*"})
 """How pint, astropy and unyt all read the units of this package."""

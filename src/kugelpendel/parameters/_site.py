@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, overload
 
 from numpy.typing import ArrayLike
 
 from kugelpendel import _core
 from kugelpendel.parameters._derived import derived
 from kugelpendel.parameters._given import Given
-from kugelpendel.parameters._numbers import Scalars
+from kugelpendel.parameters._numbers import Numbers, OneNumber, Scalar_co, Scalars
 
 
 @dataclass(frozen=True, eq=False, init=False, repr=False)
-class Site(Given):
+class Site(Given[Scalar_co]):
     """A place on the Earth, or an ensemble of places where arrays are given; they broadcast.
 
     Parameters
@@ -50,14 +50,30 @@ class Site(Given):
     expansion to the second order in the height, eq. (4-3).
     """
 
-    latitude: Scalars
-    gravity: Scalars
-    height: Scalars
+    latitude: Scalar_co
+    gravity: Scalar_co
+    height: Scalar_co
     gravity_given: bool
 
     part = "site"
     units: ClassVar = {"latitude": "rad", "gravity": "m/s²", "height": "m"}
     strengths = ("rotation",)
+
+    @overload
+    def __init__(
+        self: Site[float],
+        latitude: OneNumber,
+        gravity: OneNumber | None = ...,
+        height: OneNumber = ...,
+    ) -> None: ...
+
+    @overload
+    def __init__(
+        self: Site[Numbers],
+        latitude: ArrayLike,
+        gravity: ArrayLike | None = ...,
+        height: ArrayLike = ...,
+    ) -> None: ...
 
     def __init__(
         self, latitude: ArrayLike, gravity: ArrayLike | None = None, height: ArrayLike = 0.0
@@ -91,11 +107,11 @@ class Site(Given):
         return _core.ROTATION
 
     @property
-    def vertical_rotation(self) -> Scalars:
+    def vertical_rotation(self) -> Scalar_co:
         """Ω_z = Ω_E sin(latitude), rad/s, positive in the north: the plane turns with −Ω_z."""
         return derived("vertical_rotation", "the site", self.prefixed)
 
     @property
-    def horizontal_rotation(self) -> Scalars:
+    def horizontal_rotation(self) -> Scalar_co:
         """Ω_h = Ω_E cos(latitude), rad/s, towards the north."""
         return derived("horizontal_rotation", "the site", self.prefixed)

@@ -1,19 +1,22 @@
 """How the thread is held: not quite alike in all directions."""
 
+# One number is array-like too, so overloads for it come first.
+# pyright: reportOverlappingOverload=false
+
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, overload
 
 from numpy.typing import ArrayLike
 
 from kugelpendel.parameters._derived import Origin, derived
 from kugelpendel.parameters._given import Given
-from kugelpendel.parameters._numbers import Scalars, as_numbers
+from kugelpendel.parameters._numbers import Numbers, OneNumber, Scalar_co, as_numbers
 
 
 @dataclass(frozen=True, eq=False, init=False, repr=False)
-class Suspension(Given):
+class Suspension(Given[Scalar_co]):
     """Stiffness and friction that depend on the direction, or an ensemble where arrays are given.
 
     Parameters
@@ -38,10 +41,10 @@ class Suspension(Given):
         ensemble a bad case becomes NaN in the motion, which gives the reason.
     """
 
-    anisotropy: Scalars
-    axis: Scalars
-    damping_anisotropy: Scalars
-    damping_axis: Scalars
+    anisotropy: Scalar_co
+    axis: Scalar_co
+    damping_anisotropy: Scalar_co
+    damping_axis: Scalar_co
 
     part = "suspension"
     units: ClassVar = {
@@ -51,6 +54,24 @@ class Suspension(Given):
         "damping_axis": "rad",
     }
     strengths = ("anisotropy", "damping_anisotropy")
+
+    @overload
+    def __init__(
+        self: Suspension[float],
+        anisotropy: OneNumber = ...,
+        axis: OneNumber = ...,
+        damping_anisotropy: OneNumber = ...,
+        damping_axis: OneNumber = ...,
+    ) -> None: ...
+
+    @overload
+    def __init__(
+        self: Suspension[Numbers],
+        anisotropy: ArrayLike = ...,
+        axis: ArrayLike = ...,
+        damping_anisotropy: ArrayLike = ...,
+        damping_axis: ArrayLike = ...,
+    ) -> None: ...
 
     def __init__(
         self,
@@ -66,6 +87,28 @@ class Suspension(Given):
             damping_anisotropy=damping_anisotropy,
             damping_axis=damping_axis,
         )
+
+    @overload
+    @classmethod
+    def from_periods(
+        cls,
+        along: OneNumber,
+        across: OneNumber,
+        axis: OneNumber = ...,
+        damping_anisotropy: OneNumber = ...,
+        damping_axis: OneNumber = ...,
+    ) -> Suspension[float]: ...
+
+    @overload
+    @classmethod
+    def from_periods(
+        cls,
+        along: ArrayLike,
+        across: ArrayLike,
+        axis: ArrayLike = ...,
+        damping_anisotropy: ArrayLike = ...,
+        damping_axis: ArrayLike = ...,
+    ) -> Suspension[Numbers]: ...
 
     @classmethod
     def from_periods(
@@ -89,5 +132,5 @@ class Suspension(Given):
         }
         what = "anisotropy_from_periods"
         anisotropy = derived(what, "the two periods", periods)
-        suspension = cls(anisotropy, axis, damping_anisotropy, damping_axis)
+        suspension = Suspension(anisotropy, axis, damping_anisotropy, damping_axis)
         return suspension._derived_from(anisotropy=Origin(what, periods))

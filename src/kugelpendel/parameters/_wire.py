@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, overload
 
 from numpy.typing import ArrayLike
 
 from kugelpendel.parameters._derived import derived
 from kugelpendel.parameters._given import Given
-from kugelpendel.parameters._numbers import Scalars
+from kugelpendel.parameters._numbers import Numbers, OneNumber, Scalar_co
 
 
 @dataclass(frozen=True, eq=False, init=False, repr=False)
-class Wire(Given):
+class Wire(Given[Scalar_co]):
     """A round wire; it takes no part in any motion, whose thread keeps its length.
 
     Parameters
@@ -32,12 +32,22 @@ class Wire(Given):
         is not finite, and for arrays that do not broadcast.
     """
 
-    diameter: Scalars
-    young: Scalars
-    expansion: Scalars
+    diameter: Scalar_co
+    young: Scalar_co
+    expansion: Scalar_co
 
     part = "wire"
     units: ClassVar = {"diameter": "m", "young": "Pa", "expansion": "1/K"}
+
+    @overload
+    def __init__(
+        self: Wire[float], diameter: OneNumber, young: OneNumber = ..., expansion: OneNumber = ...
+    ) -> None: ...
+
+    @overload
+    def __init__(
+        self: Wire[Numbers], diameter: ArrayLike, young: ArrayLike = ..., expansion: ArrayLike = ...
+    ) -> None: ...
 
     def __init__(
         self, diameter: ArrayLike, young: ArrayLike = 2.0e11, expansion: ArrayLike = 1.2e-5
@@ -46,6 +56,6 @@ class Wire(Given):
         self._give(names, diameter=diameter, young=young, expansion=expansion)
 
     @property
-    def cross_section(self) -> Scalars:
+    def cross_section(self) -> Scalar_co:
         """πd²/4, m²; NaN for the bad cases of an ensemble."""
         return derived("cross_section", "the wire", {"wire.diameter": self.diameter})

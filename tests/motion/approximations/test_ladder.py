@@ -131,4 +131,4 @@ def test_a_series_says_how_wrong_it_is() -> None:
 @pytest.mark.parametrize("order", [1, 3, 0, -2, 14, 2.5, "6"])
 def test_orders_that_make_no_sense(order: object) -> None:
     with pytest.raises(kp.InvalidInput, match="order"):
-        kp.SeriesMotion(kp.Pendulum(1.0), kp.Launch.apsides(0.2, 0.1), order=order)  # pyright: ignore[reportArgumentType]
+        kp.SeriesMotion(kp.Pendulum(1.0), kp.Launch.apsides(0.2, 0.1), order=order)  # pyright: ignore[reportArgumentType, reportCallIssue]

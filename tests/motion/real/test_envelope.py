@@ -114,8 +114,8 @@ class TestOneForceAtATime:
 
     def motions(self, **around: object) -> tuple[kp.EnvelopeMotion, kp.RealMotion]:
         return (
-            kp.EnvelopeMotion(PENDULUM, self.launch, **around),  # pyright: ignore[reportArgumentType]
-            kp.RealMotion(PENDULUM, self.launch, **around),  # pyright: ignore[reportArgumentType]
+            kp.EnvelopeMotion(PENDULUM, self.launch, **around),  # pyright: ignore[reportArgumentType, reportCallIssue]
+            kp.RealMotion(PENDULUM, self.launch, **around),  # pyright: ignore[reportArgumentType, reportCallIssue]
         )
 
     def follows(self, share: float, **around: object) -> None:
@@ -168,7 +168,7 @@ class TestOneForceAtATime:
         around = {"suspension": kp.Suspension(delta, axis)}
         self.follows(2e-4, **around)
         a, b = 0.005, 0.002
-        mean = kp.EnvelopeMotion(PENDULUM, kp.Launch.apsides(a, b, 0.3), **around)  # pyright: ignore[reportArgumentType]
+        mean = kp.EnvelopeMotion(PENDULUM, kp.Launch.apsides(a, b, 0.3), **around)  # pyright: ignore[reportArgumentType, reportCallIssue]
         share = -delta * a * b / (a**2 - b**2) * math.cos(2 * (0.3 - axis))
         assert mean.rates(0.0).anisotropy == pytest.approx(share, rel=1e-4)
         assert mean.rates(0.0).outer == pytest.approx(
@@ -252,8 +252,8 @@ class TestWideSwings:
         """Largest differences of azimuth, °, and of a, relative, at turning points near the end."""
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            mean = kp.EnvelopeMotion(pendulum, launch, **around)  # pyright: ignore[reportArgumentType]
-        full = kp.RealMotion(pendulum, launch, thread="rod", **around)  # pyright: ignore[reportArgumentType]
+            mean = kp.EnvelopeMotion(pendulum, launch, **around)  # pyright: ignore[reportArgumentType, reportCallIssue]
+        full = kp.RealMotion(pendulum, launch, thread="rod", **around)  # pyright: ignore[reportArgumentType, reportCallIssue]
         times = full.events("outer", end - 60.0, end)
         a, _, azimuth = kp.ellipse(full, times)
         difference = np.degrees(np.abs(apart(mean.azimuth(times), azimuth)).max())
@@ -326,7 +326,7 @@ class TestLongTimes:
     @pytest.mark.parametrize("around", [{}, {"site": PARIS}])
     def test_without_forces_it_is_known_at_once(self, around: dict[str, kp.Site]) -> None:
         launch = kp.Launch.apsides(0.3, 0.1)
-        mean = kp.EnvelopeMotion(PENDULUM, launch, **around)  # pyright: ignore[reportArgumentType]
+        mean = kp.EnvelopeMotion(PENDULUM, launch, **around)  # pyright: ignore[reportArgumentType, reportCallIssue]
         began = time.perf_counter()
         position = mean.position(1e15)
         assert time.perf_counter() - began < 0.05
@@ -397,7 +397,7 @@ class TestTrust:
         off, _ = TestWideSwings.off(pendulum, launch, 3600.0, **around)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            mean = kp.EnvelopeMotion(pendulum, launch, **around)  # pyright: ignore[reportArgumentType]
+            mean = kp.EnvelopeMotion(pendulum, launch, **around)  # pyright: ignore[reportArgumentType, reportCallIssue]
         assert off < math.degrees(mean._motions.azimuth_error(3600.0)) + 1e-6
 
 

@@ -106,7 +106,7 @@ def test_all_forces_by_another_integrator(
 def _spinning(rotation: float, latitude: float) -> kp.Site:
     """A site on a planet that turns faster than the Earth."""
 
-    class Planet(kp.Site):
+    class Planet(kp.Site[float]):
         @property
         def rotation(self) -> float:
             return float(rotation)

@@ -12,10 +12,17 @@ from kugelpendel import _core
 from kugelpendel.motion._base import Motion
 from kugelpendel.motion._kept import kept
 from kugelpendel.motion._times import checked_grid, checked_times, motion_shape
-from kugelpendel.parameters import Launch, Numbers, Pendulum, Scalars, column, require_given
+from kugelpendel.parameters import (
+    Launch,
+    Numbers,
+    Pendulum,
+    Scalar_co,
+    column,
+    require_given,
+)
 
 
-class HarmonicMotion(Motion):
+class HarmonicMotion(Motion[Scalar_co]):
     """A figure of a few harmonics in a frame that turns, through the launch's exact turning points.
 
     x + iy = e^{i(Ωt + …)} (cos ζ·P(sin² ζ) + i sin ζ·Q(sin² ζ)) with ζ = ωt + …, and z on the lower
@@ -25,7 +32,11 @@ class HarmonicMotion(Motion):
 
     _law: ClassVar[str]
 
-    def __init__(self, pendulum: Pendulum, launch: Launch):
+    def __init__(
+        self,
+        pendulum: Pendulum[Scalar_co] | Pendulum[float],
+        launch: Launch[Scalar_co] | Launch[float],
+    ):
         require_given(type(self).__name__, pendulum, launch)
         self._pendulum = pendulum
         self._launch = launch
@@ -43,12 +54,12 @@ class HarmonicMotion(Motion):
         return {"pendulum": self._pendulum, "launch": self._launch}
 
     @property
-    def pendulum(self) -> Pendulum:
+    def pendulum(self) -> Pendulum[Scalar_co] | Pendulum[float]:
         """The pendulum as it was given."""
         return self._pendulum
 
     @property
-    def launch(self) -> Launch:
+    def launch(self) -> Launch[Scalar_co] | Launch[float]:
         """Position and velocity at t = 0, as they were given."""
         return self._launch
 
@@ -68,12 +79,12 @@ class HarmonicMotion(Motion):
         """A sentence that says where the motion holds."""
 
     @kept
-    def frequency(self) -> Scalars:
+    def frequency(self) -> Scalar_co:
         """ω of the swing in the turning frame, rad/s."""
         return self._constant(self._motions.frequency())
 
     @kept
-    def precession(self) -> Scalars:
+    def precession(self) -> Scalar_co:
         """Ω of that frame, rad/s, positive counter-clockwise seen from above."""
         return self._constant(self._motions.precession())
 

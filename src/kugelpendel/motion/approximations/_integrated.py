@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Self, cast
 
 import numpy as np
 
@@ -11,10 +11,10 @@ from kugelpendel import _core
 from kugelpendel.motion._exact import ExactMotion
 from kugelpendel.motion._kept import kept
 from kugelpendel.motion._walk import SteppedMotion
-from kugelpendel.parameters import Launch, Pendulum, Scalars, column
+from kugelpendel.parameters import Launch, Pendulum, Scalar_co, column
 
 
-class IntegratedMotion(SteppedMotion):
+class IntegratedMotion(SteppedMotion[Scalar_co]):
     """A motion in the plan view by an equation r̈ = −Λr, integrated by Taylor series of order 20.
 
     In an ensemble, a case that has ended is NaN from there on; a single motion raises. z lies on
@@ -23,7 +23,11 @@ class IntegratedMotion(SteppedMotion):
 
     _equation: ClassVar[str]
 
-    def __init__(self, pendulum: Pendulum, launch: Launch):
+    def __init__(
+        self,
+        pendulum: Pendulum[Scalar_co] | Pendulum[float],
+        launch: Launch[Scalar_co] | Launch[float],
+    ):
         self._exact = ExactMotion(pendulum, launch)
         self._motions = _core.IntegratedMotions(
             self._count,
@@ -37,17 +41,17 @@ class IntegratedMotion(SteppedMotion):
         return {"pendulum": self.pendulum, "launch": self.launch}
 
     @kept
-    def _rates(self) -> tuple[Scalars, Scalars]:
+    def _rates(self) -> tuple[Scalar_co, Scalar_co]:
         rates = np.full((self._count, 2), np.nan)
         for index in np.flatnonzero(self.status.ravel() == 0).tolist():
-            motion = self[np.unravel_index(index, self.shape)] if self.shape else self
+            motion = cast("Self", self[np.unravel_index(index, self.shape)]) if self.shape else self
             half_swing = float(motion._exact.radial_period)
             found = _core.measured_rates(motion._states, half_swing)
             rates[index] = [np.nan if rate is None else rate for rate in found]
         return self._constant(rates[:, 0].copy()), self._constant(rates[:, 1].copy())
 
     @property
-    def frequency(self) -> Scalars:
+    def frequency(self) -> Scalar_co:
         """ω of the swing in the turning frame, rad/s: measured at 65 outer turning points.
 
         NaN on a circle and at rest, which show no turning points. Raises InvalidInput where the
@@ -56,7 +60,7 @@ class IntegratedMotion(SteppedMotion):
         return self._rates[0]
 
     @property
-    def precession(self) -> Scalars:
+    def precession(self) -> Scalar_co:
         """Ω of that frame, rad/s, positive counter-clockwise seen from above: measured likewise.
 
         NaN where less than 1e-9 rad is turned in 64 half swings; else as `frequency`.
@@ -64,12 +68,12 @@ class IntegratedMotion(SteppedMotion):
         return self._rates[1]
 
     @property
-    def pendulum(self) -> Pendulum:
+    def pendulum(self) -> Pendulum[Scalar_co] | Pendulum[float]:
         """The pendulum that swings."""
         return self._exact.pendulum
 
     @property
-    def launch(self) -> Launch:
+    def launch(self) -> Launch[Scalar_co] | Launch[float]:
         """Position and velocity at t = 0, as given."""
         return self._exact.launch
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import final
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, final, overload
 
 from kugelpendel.motion.approximations._integrated import IntegratedMotion
+from kugelpendel.parameters import Launch, Pendulum, Scalar, Scalar_co
 
 
 @final
-class PlaneMotion(IntegratedMotion):
+class PlaneMotion(IntegratedMotion[Scalar_co]):
     """The exact law in x and y alone, integrated: Olsson (1981), eq. (12).
 
     As printed, the second term lacks a factor 1/l². Over 100 swings the error stays below 1e-12 l
@@ -20,6 +22,30 @@ class PlaneMotion(IntegratedMotion):
     """
 
     _equation = "plane"
+
+    @overload
+    def __init__(
+        self: PlaneMotion[float], pendulum: Pendulum[float], launch: Launch[float]
+    ) -> None: ...
+
+    @overload
+    def __init__(
+        self: PlaneMotion[Scalar],
+        pendulum: Pendulum[Scalar] | Pendulum[float],
+        launch: Launch[Scalar] | Launch[float],
+    ) -> None: ...
+
+    def __init__(
+        self,
+        pendulum: Pendulum[Scalar_co] | Pendulum[float],
+        launch: Launch[Scalar_co] | Launch[float],
+    ):
+        super().__init__(pendulum, launch)  # only a class of its own can be told its scalars
+
+    if TYPE_CHECKING:  # one of an ensemble may be a single motion: its type knows its class alone
+
+        def __getitem__(self, key: Any) -> PlaneMotion: ...
+        def __iter__(self) -> Iterator[PlaneMotion]: ...
 
     @property
     def trust(self) -> str:

@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any, final
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, final, overload
 
 import numpy as np
 
 from kugelpendel import _core, series
 from kugelpendel.motion.approximations._harmonic import HarmonicMotion
-from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum
+from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, Scalar, Scalar_co
 
 _POWERS = _core.HarmonicMotions.powers()
 """How many powers of sin² ζ the core takes for each part of the figure."""
 
 
 @final
-class SeriesMotion(HarmonicMotion):
+class SeriesMotion(HarmonicMotion[Scalar_co]):
     """The paper's ansatz carried on: frequency, precession and harmonics to order n = 2, 4, …, 12.
 
     What is left out is of relative order (a/l)^(n+2); semi-axes are the launch's exact turning
@@ -30,7 +31,28 @@ class SeriesMotion(HarmonicMotion):
 
     _law = "olsson"  # until its own rates and figure take the place of the formulas'
 
-    def __init__(self, pendulum: Pendulum, launch: Launch, order: int = 6):
+    @overload
+    def __init__(
+        self: SeriesMotion[float],
+        pendulum: Pendulum[float],
+        launch: Launch[float],
+        order: int = ...,
+    ) -> None: ...
+
+    @overload
+    def __init__(
+        self: SeriesMotion[Scalar],
+        pendulum: Pendulum[Scalar] | Pendulum[float],
+        launch: Launch[Scalar] | Launch[float],
+        order: int = ...,
+    ) -> None: ...
+
+    def __init__(
+        self,
+        pendulum: Pendulum[Scalar_co] | Pendulum[float],
+        launch: Launch[Scalar_co] | Launch[float],
+        order: int = 6,
+    ):
         series.frequency(order)  # raises for an order that makes no sense
         if order > (limit := 2 * (_POWERS - 1)):
             raise InvalidInput(
@@ -54,6 +76,11 @@ class SeriesMotion(HarmonicMotion):
     def order(self) -> int:
         """Highest power of a/l and b/l together in the frequency."""
         return self._order
+
+    if TYPE_CHECKING:  # one of an ensemble may be a single motion: its type knows its class alone
+
+        def __getitem__(self, key: Any) -> SeriesMotion: ...
+        def __iter__(self) -> Iterator[SeriesMotion]: ...
 
     def _arguments(self) -> dict[str, Any]:
         return {**super()._arguments(), "order": self._order}

@@ -70,7 +70,8 @@ def _rates(measured: Measured, with_anisotropy: bool) -> dict[str, Numbers]:
     lengths, gravities, omega0 = measured.pendulum(measured.row(centre)[None])
     pendulum = Pendulum(float(lengths[0]), float(gravities[0]))
     b = np.clip(b, -0.999 * a, 0.999 * a)
-    launch = Launch.apsides(a, b, azimuth - np.pi * np.rint(azimuth / np.pi))
+    turned: Numbers = azimuth - np.pi * np.rint(azimuth / np.pi)
+    launch = Launch.apsides(a, b, turned)
     rates: dict[str, Numbers] = {
         "intrinsic": np.asarray(ExactMotion(pendulum, launch).precession) / IDEAL
     }
