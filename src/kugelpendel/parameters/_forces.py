@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Generic, TypedDict, Unpack, overload
 
@@ -138,9 +139,16 @@ class Forces(Generic[Scalar_co]):
         part = self.parts.get(name.partition(".")[0])
         return None if part is None else part.origin(name)
 
+    def __reduce__(self) -> tuple[Callable[..., Forces], tuple[Given | None, ...]]:
+        return (_again, tuple(getattr(self, name) for name in FORCE_PARTS))
+
     def __repr__(self) -> str:
         text = f"Forces({', '.join(f'{name}={part!r}' for name, part in self.parts.items())})"
         return text if len(text) <= LONGEST else f"{text[: LONGEST - 2]}…)"
+
+
+def _again(*parts: Any) -> Forces:
+    return Forces(**dict(zip(FORCE_PARTS, parts, strict=True)))
 
 
 class ActedOn(Generic[Scalar_co]):

@@ -457,6 +457,8 @@ class TestRequests:
         assert motion.shape == (2, 3)
         single = kp.RealMotion(LABORATORY, kp.Launch.ellipse(0.2, 0.0), drag=kp.Drag(0.1))
         np.testing.assert_array_equal(motion.position(3.0)[1, 1], single.position(3.0))
+        assert motion[1, 1] == single
+        assert motion[:, 1].forces.drag == kp.Drag([0.1, 0.1])
         assert motion.tension([1.0, 2.0]).shape == (2, 3, 2)
 
     def test_one_bad_case_stops_nothing(self) -> None:
