@@ -175,6 +175,20 @@ impl<T: Real + Mean> ClosedForm<T> {
 }
 
 impl ClosedForm<f64> {
+    /// That of slightly other x and y: by the derivatives of one beside it, where ln x and ln y grow by `step`.
+    pub(super) fn stepped(&self, beside: &ClosedForm<Dual>, step: [f64; 2]) -> Self {
+        let after = |value: f64, slopes: Dual| Dual { value, ..slopes }.after(step);
+        let all = |values: [f64; PAIRS], slopes: &[Dual; PAIRS]| std::array::from_fn(|k| after(values[k], slopes[k]));
+        Self {
+            frequency: after(self.frequency, beside.frequency),
+            precession: after(self.precession, beside.precession),
+            ahead: all(self.ahead, &beside.ahead),
+            behind: all(self.behind, &beside.behind),
+            nome: after(self.nome, beside.nome),
+            ..*self
+        }
+    }
+
     /// x + iy in the turning frame, where e^{iΘ} is given.
     pub(super) fn place(&self, turn: Complex64) -> Complex64 {
         let square = turn * turn;
@@ -228,6 +242,11 @@ impl ClosedForm<f64> {
 }
 
 impl ClosedForm<Dual> {
+    /// The same without derivatives.
+    pub(super) fn values(&self) -> ClosedForm<f64> {
+        self.map(|number| number.value)
+    }
+
     /// Swings of first order: rates given, one pair of harmonics.
     pub(super) fn first_order([frequency, precession]: [Dual; 2], [ahead, behind]: [Dual; 2]) -> Self {
         let none = Dual::default();

@@ -120,7 +120,7 @@ impl AveragedEquations {
     /// it before the next. The rotation does no work, so that ωδJ_Θ + ΩδJ_ψ = 0.
     pub(super) fn settled(&self, actions: [f64; 2], azimuth: f64, phase: f64) -> [f64; 2] {
         let Some(swing) = Swing::of(actions).filter(|_| self.exact) else { return actions };
-        let form = swing.form.map(|number| number.value);
+        let form = swing.form.values();
         let mut added = [0.0; 2];
         if self.sway != 0.0 {
             let swayed = Complex64::cis(azimuth) * form.swayed(Complex64::cis(phase));

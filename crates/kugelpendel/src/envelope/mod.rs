@@ -42,6 +42,9 @@ const MOST: f64 = 0.1;
 /// Steps, or points, between two questions whether to go on: some milliseconds.
 const PATIENCE: usize = 64;
 
+/// Points of the ideal motion between two such questions.
+const MANY: usize = 8192;
+
 /// Steps in which an end of the motion is looked for.
 const MOST_STEPS: usize = 5000;
 
@@ -200,6 +203,15 @@ impl EnvelopeMotion {
         stop: Stop<'_>,
     ) -> Result<(), Halt> {
         assert_eq!(what.width() * times.len(), out.len(), "so many numbers to a time");
+        if let (Envelope::Point(quantity), Some(ideal)) = (what, &self.ideal) {
+            for (times, out) in times.chunks(MANY).zip(out.chunks_mut(3 * MANY)) {
+                ideal.fill(quantity, Times::Scattered(times), out);
+                if stop() {
+                    return Err(Halt::Interrupted);
+                }
+            }
+            return Ok(());
+        }
         both_ways(times, |side, order| self.sweep(side, order, what, times, out, walks, stop))
     }
 
@@ -267,7 +279,7 @@ impl EnvelopeMotion {
                     return Err(Halt::Interrupted);
                 }
             }
-            self.write(what, time, &walk.at(time), &mut out[width * index..width * (index + 1)]);
+            self.write(what, time, &walk.at(time), None, &mut out[width * index..width * (index + 1)]);
             if is_unwanted() {
                 return Err(Halt::Interrupted);
             }
@@ -275,7 +287,7 @@ impl EnvelopeMotion {
         Ok(())
     }
 
-    /// Without forces, or on a turning ground, nothing has to be integrated.
+    /// Without forces, or on a turning ground, nothing has to be integrated, and the swing stays what it is.
     fn sweep_free(
         &self,
         order: &mut dyn Iterator<Item = usize>,
@@ -286,17 +298,11 @@ impl EnvelopeMotion {
     ) -> Result<(), Halt> {
         let width = what.width();
         let slope = self.equations.slope(&self.start.state);
+        let swing = self.equations.swing(&Circles::of(&self.start.state));
         for (done, index) in order.enumerate() {
-            let out = &mut out[width * index..width * (index + 1)];
-            match (what, &self.ideal) {
-                (Envelope::Point(quantity), Some(ideal)) => {
-                    ideal.fill(quantity, Times::Scattered(&times[index..=index]), out)
-                }
-                _ => {
-                    let time = times[index] * self.omega0;
-                    self.write(what, time, &self.start.after(time, &slope), out);
-                }
-            }
+            let time = times[index] * self.omega0;
+            let moment = self.start.after(time, &slope);
+            self.write(what, time, &moment, swing.as_ref(), &mut out[width * index..width * (index + 1)]);
             if done % PATIENCE == PATIENCE - 1 && stop() {
                 return Err(Halt::Interrupted);
             }
@@ -304,7 +310,8 @@ impl EnvelopeMotion {
         Ok(())
     }
 
-    fn write(&self, what: Envelope, time: f64, moment: &Moment, out: &mut [f64]) {
+    /// `known` is the swing of that moment, where it need not be looked for.
+    fn write(&self, what: Envelope, time: f64, moment: &Moment, known: Option<&Swing>, out: &mut [f64]) {
         let Moment { state, angles: [ahead, behind] } = moment;
         let azimuth = 0.5 * (ahead + behind);
         let phase = time + state[4] + 0.5 * (ahead - behind);
@@ -314,7 +321,8 @@ impl EnvelopeMotion {
             _ => {}
         }
         let circles = Circles::of(state);
-        let Some(swing) = self.equations.swing(&circles) else { return out.fill(f64::NAN) };
+        let found = if known.is_none() { self.equations.swing(&circles) } else { None };
+        let Some(swing) = known.or(found.as_ref()) else { return out.fill(f64::NAN) };
         let length = self.pendulum.length;
         match what {
             Envelope::Azimuth | Envelope::Phase => {}
@@ -327,11 +335,11 @@ impl EnvelopeMotion {
                 for (out, share) in out.iter_mut().zip(self.equations.shares(&circles)) {
                     *out = share * self.omega0;
                 }
-                let rates = swing.radii_rates(self.equations.growth(&circles, &swing));
+                let rates = swing.radii_rates(self.equations.growth(&circles, swing));
                 out[equations::CAUSES..].copy_from_slice(&rates.map(|rate| rate * self.omega0 * length));
             }
             Envelope::Point(quantity) => {
-                let point = self.point(quantity, [azimuth, phase], &circles, &swing);
+                let point = self.point(quantity, [azimuth, phase], &circles, swing);
                 out.copy_from_slice(&point);
             }
         }
@@ -341,23 +349,23 @@ impl EnvelopeMotion {
     fn point(&self, quantity: Quantity, [azimuth, phase]: [f64; 2], circles: &Circles, swing: &Swing) -> [f64; 3] {
         let length = self.pendulum.length;
         let placed = self.equations.in_place(circles, swing);
-        let placed = placed.and_then(|placed| Some((placed, swing.moved(circles.actions(), placed.actions())?)));
-        let (circles, swing, moved) = match &placed {
-            Some((placed, swing)) => (placed, swing, placed.turned_from(circles)),
-            None => (circles, swing, [0.0; 2]),
-        };
-        let (azimuth, phase) = (azimuth + 0.5 * (moved[0] + moved[1]), phase + 0.5 * (moved[0] - moved[1]));
-        let direction = Complex64::cis(azimuth);
-        let turn = Complex64::cis(phase);
-        let form = swing.form.map(|number| number.value);
-        let place = direction * form.place(turn);
-        let depth = (1.0 - place.norm_sqr()).sqrt();
+        let turned = placed.map_or([0.0; 2], |placed| placed.turned_from(circles));
+        let (azimuth, phase) = (azimuth + 0.5 * (turned[0] + turned[1]), phase + 0.5 * (turned[0] - turned[1]));
+        let (direction, turn) = (Complex64::cis(azimuth), Complex64::cis(phase));
+        let depth = |place: Complex64| (1.0 - place.norm_sqr()).sqrt();
         match quantity {
-            Quantity::Position => [length * place.re, length * place.im, length * depth],
+            Quantity::Position => {
+                let moved = placed.and_then(|placed| swing.moved_form(circles.actions(), placed.actions()));
+                let place = direction * moved.unwrap_or_else(|| swing.form.values()).place(turn);
+                [length * place.re, length * place.im, length * depth(place)]
+            }
             Quantity::Velocity => {
-                let ideal = form.velocity(turn);
-                let rate = direction * (ideal + self.equations.drift(circles, swing, phase));
-                let sinking = -(place.conj() * rate).re / depth;
+                let moved = placed.and_then(|placed| swing.moved(circles.actions(), placed.actions()));
+                let (circles, swing) = (placed.as_ref().unwrap_or(circles), moved.as_ref().unwrap_or(swing));
+                let form = swing.form.values();
+                let place = direction * form.place(turn);
+                let rate = direction * (form.velocity(turn) + self.equations.drift(circles, swing, phase));
+                let sinking = -(place.conj() * rate).re / depth(place);
                 [rate.re, rate.im, sinking].map(|v| v * length * self.omega0)
             }
         }

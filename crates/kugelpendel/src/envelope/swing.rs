@@ -16,6 +16,9 @@ pub(super) const ROUNDEST: f64 = 1e-32;
 /// Relative corrections below this are applied to first order; the second is then lost in rounding.
 const SMALL: f64 = 5e-8;
 
+/// Up to this relative change derivatives need not be taken anew: what is left out is of its third order.
+const MOVED: f64 = 5e-6;
+
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Swing {
     /// Slopes are those along ln x, ln y; see [`Self::along_actions`].
@@ -56,6 +59,28 @@ impl Swing {
         Self::near(to, [self.x * factor(self.inverse[0]), self.y * factor(self.inverse[1])])
     }
 
+    /// The closed form of slightly other actions than these, without derivatives: found by those of this swing, as places
+    /// are read by the hundred thousand.
+    pub(super) fn moved_form(&self, from: [f64; 2], to: [f64; 2]) -> Option<ClosedForm<f64>> {
+        let moved = || Some(self.moved(from, to)?.form.values());
+        let floor = ROUNDEST * (from[0] + from[1]);
+        if self.is_harmonic || from[0] + from[1] < SMALLEST {
+            return moved();
+        }
+        let [from, to] = [from, to].map(|actions| actions.map(|action| action.max(floor)));
+        let step = |missing: [f64; 2]| self.inverse.map(|[first, second]| first * missing[0] + second * missing[1]);
+        let largest = |step: [f64; 2]| step[0].abs().max(step[1].abs());
+        let away = step([to[0] / from[0] - 1.0, to[1] / from[1] - 1.0]);
+        let (x, y) = (self.x * (1.0 + away[0]), self.y * (1.0 + away[1]));
+        if largest(away) > MOVED {
+            return moved();
+        }
+        let form = ClosedForm::of(x, y);
+        let [first, second] = form.actions();
+        let rest = step([to[0] / first - 1.0, to[1] / second - 1.0]);
+        (top(x, y) < 1.0).then(|| form.stepped(&self.form, rest))
+    }
+
     /// By Newton's method from a guess of x and y.
     fn near([first, second]: [f64; 2], [mut x, mut y]: [f64; 2]) -> Option<Self> {
         for _ in 0..40 {
@@ -78,10 +103,7 @@ impl Swing {
             }
             let largest = step[0].abs().max(step[1].abs());
             if largest < SMALL {
-                let form = form.map(|number| Dual {
-                    value: number.value + number.slope[0] * step[0] + number.slope[1] * step[1],
-                    ..number
-                });
+                let form = form.map(|number| Dual { value: number.after(step), ..number });
                 (x, y) = (x * (1.0 + step[0]), y * (1.0 + step[1]));
                 return (top(x, y) < 1.0).then_some(Self { form, x, y, is_harmonic: false, inverse });
             }

@@ -44,6 +44,12 @@ pub(crate) struct Dual {
 }
 
 impl Dual {
+    /// The value after a step in both directions, to first order.
+    #[inline(always)]
+    pub(crate) fn after(self, step: [f64; 2]) -> f64 {
+        self.value + self.slope[0] * step[0] + self.slope[1] * step[1]
+    }
+
     /// A function of `self` with this value and this derivative with respect to it.
     #[inline(always)]
     fn chain(self, value: f64, derivative: f64) -> Self {
