@@ -23,9 +23,8 @@ pub(crate) struct EnvelopeMotions {
 
 #[pymethods]
 impl EnvelopeMotions {
-    /// Columns as for `RealMotions`, and one of what multiplies the intrinsic precession, 1 where it is not given.
+    /// Columns as for `RealMotions`.
     #[new]
-    #[pyo3(signature = (count, pendulum, launch, acting, exact, intrinsic=None))]
     fn new(
         py: Python<'_>,
         count: usize,
@@ -33,15 +32,10 @@ impl EnvelopeMotions {
         launch: (&str, Vec<PyReadonlyArray1<'_, f64>>),
         acting: HashMap<String, PyReadonlyArray1<'_, f64>>,
         exact: bool,
-        intrinsic: Option<PyReadonlyArray1<'_, f64>>,
     ) -> PyResult<Self> {
-        let intrinsic = intrinsic.as_ref().map(|column| column.as_slice()).transpose()?.unwrap_or(&[1.0]);
-        let factors = Columns::of(vec![intrinsic], 1, count)?;
-        let motions =
-            each_case(py, count, &pendulum, launch.0, &launch.1, &acting, |pendulum, launch, acting, row| {
-                let [factor] = factors.row(row);
-                EnvelopeMotion::under(&acting, pendulum, launch, exact, factor)
-            })?;
+        let motions = each_case(py, count, &pendulum, launch.0, &launch.1, &acting, |pendulum, launch, acting, _| {
+            EnvelopeMotion::under(&acting, pendulum, launch, exact, 1.0)
+        })?;
         let walks = (0..count).map(|_| Mutex::default()).collect();
         Ok(Self { motions, walks })
     }
