@@ -13,6 +13,7 @@ from kugelpendel.spelling._numbers import significant as significant
 from kugelpendel.spelling._numbers import spell_percent as spell_percent
 from kugelpendel.spelling._quantities import as_given as as_given
 from kugelpendel.spelling._quantities import degrees as degrees
+from kugelpendel.spelling._quantities import hourly as hourly
 from kugelpendel.spelling._quantities import spell as spell
 from kugelpendel.spelling._quantities import spell_bytes as spell_bytes
 from kugelpendel.spelling._quantities import spell_rate as spell_rate
@@ -26,6 +27,7 @@ __all__ = [
     "degrees",
     "general",
     "grouped",
+    "hourly",
     "localised",
     "minus",
     "rate_unit",

@@ -63,3 +63,8 @@ def spell_bytes(size: float, digits: int = 3, *, language: Language = "en") -> s
 def _joined(number: str, symbol: str, language: Language) -> str:
     gap = "" if symbol == "°" else " "
     return f"{number}{gap}{local_symbol(symbol, language)}"
+
+
+def hourly(rate: float) -> float:
+    """The degrees that an angular velocity in rad/s turns in an hour."""
+    return math.degrees(rate) * 3600

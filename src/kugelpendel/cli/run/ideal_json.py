@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from kugelpendel.cli.json_text import json_text
 from kugelpendel.cli.run.ideal_report import why_no_25
 from kugelpendel.parameters import Launch
+from kugelpendel.spelling import hourly
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -94,7 +95,7 @@ def _motion(summary: IdealSummary) -> dict[str, Any]:
         "swing_period_s": summary.swing_period,
         "radial_period_s": float(summary.motion.radial_period),
         "precession_rad_per_s": summary.precession,
-        "precession_deg_per_h": math.degrees(summary.precession) * 3600,
+        "precession_deg_per_h": hourly(summary.precession),
         "turning_rad_per_s": summary.turning,
         "turning_less_whole_turns": summary.whole_turns,
         "full_turn_s": summary.full_turn,

@@ -9,7 +9,6 @@ whole, and DIR is as it was.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,6 +19,7 @@ from kugelpendel.cli.output import staged
 from kugelpendel.cli.run import ideal_json
 from kugelpendel.cli.run.real_json import real_json
 from kugelpendel.cli.run.real_report import real_report
+from kugelpendel.cli.run.real_results import RealResults
 from kugelpendel.cli.terminal.describe import describe_launch
 from kugelpendel.cli.terminal.estimate import StopRequest
 from kugelpendel.cli.terminal.interrupted import Interrupted
@@ -28,8 +28,8 @@ from kugelpendel.cli.terminal.streams import complain
 from kugelpendel.cli.track.block import Block
 from kugelpendel.cli.track.track import BLOCK, FIGURE, FILES, WORTH_A_TRIAL, WRITERS
 from kugelpendel.cli.track.trial import LARGE, ROWS, require_room
-from kugelpendel.observables import Explanation, Follower, RealSummary, explain
-from kugelpendel.spelling import spell, spell_bytes
+from kugelpendel.observables import Follower, RealSummary, explain
+from kugelpendel.spelling import grouped, spell, spell_bytes
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -41,28 +41,6 @@ _FILES = (*FILES.values(), FIGURE, ideal_json.FILE)
 
 _BREATH = 0.2
 """s of work between two looks at the clock and at whether the user wants to stop."""
-
-
-@dataclass(frozen=True)
-class RealResults:
-    """What a real job has come to.
-
-    Attributes
-    ----------
-    summary
-        Of the motion.
-    explanation
-        Of the plane's rate.
-    samples
-        Rows of the track.
-    stopped
-        Whether the user stopped it.
-    """
-
-    summary: RealSummary
-    explanation: Explanation
-    samples: int
-    stopped: bool
 
 
 def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
@@ -170,11 +148,7 @@ def real_motion(job: Job) -> kp.RealMotion:
         With the name of the file.
     """
     with job.document.named():
-        return _motion(job)
-
-
-def _motion(job: Job) -> kp.RealMotion:
-    return kp.RealMotion(job.pendulum, job.launch, job.forces)
+        return kp.RealMotion(job.pendulum, job.launch, job.forces)
 
 
 def averaged_motion(job: Job) -> kp.EnvelopeMotion:
@@ -204,5 +178,4 @@ def _aside(target: Path) -> Path:
 
 
 def _named(samples: int, files: list[str]) -> list[str]:
-    count = f"{samples:,}".replace(",", " ")
-    return [f"{files[0]} ({count} samples)", *files[1:], ideal_json.FILE]
+    return [f"{files[0]} ({grouped(samples)} samples)", *files[1:], ideal_json.FILE]

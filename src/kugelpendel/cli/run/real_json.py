@@ -12,13 +12,14 @@ from kugelpendel.cli.run.clamp import clamp_notes
 from kugelpendel.cli.run.ideal_json import describe_start, described
 from kugelpendel.motion import CAUSES
 from kugelpendel.parameters import FORCE_PARTS
+from kugelpendel.spelling import hourly
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     import kugelpendel as kp
     from kugelpendel.cli.job_file.job import Job
-    from kugelpendel.cli.run.real import RealResults
+    from kugelpendel.cli.run.real_results import RealResults
     from kugelpendel.motion import PrecessionBudget
     from kugelpendel.observables import RealSummary
 
@@ -93,15 +94,15 @@ def _plane(seen: RealSummary) -> dict[str, Any]:
     since = apsides.stands_since if there else None
     return {
         "ideal_rad_per_s": seen.foucault_rate,
-        "ideal_deg_per_h": _hourly(seen.foucault_rate),
+        "ideal_deg_per_h": hourly(seen.foucault_rate),
         "ideal_turn_s": seen.foucault_turn,
         "stands_since_s": since,
         "stands_at_rad": None if since is None else float(apsides.azimuth[-1]),
         "at_the_end_rad_per_s": end,
-        "at_the_end_deg_per_h": _hourly(end),
+        "at_the_end_deg_per_h": hourly(end),
         "mean_rad_per_s": mean,
-        "mean_deg_per_h": _hourly(mean),
-        "mean_less_ideal_deg_per_h": _hourly(mean - seen.foucault_rate),
+        "mean_deg_per_h": hourly(mean),
+        "mean_less_ideal_deg_per_h": hourly(mean - seen.foucault_rate),
         "first_azimuth_rad": float(apsides.azimuth[0]) if there else math.nan,
         "last_azimuth_rad": float(apsides.azimuth[-1]) if there else math.nan,
         "first_turning_point_s": float(apsides.times[0]) if there else math.nan,
@@ -165,7 +166,3 @@ def _shares(shares: PrecessionBudget) -> dict[str, Any]:
             for stretch in shares.stretches()
         ],
     }
-
-
-def _hourly(rate: float) -> float:
-    return math.degrees(rate) * 3600

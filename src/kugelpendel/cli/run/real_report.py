@@ -16,7 +16,7 @@ from kugelpendel.spelling import minus, significant, spell, spell_percent, spell
 
 if TYPE_CHECKING:
     from kugelpendel.cli.job_file.job import Job
-    from kugelpendel.cli.run.real import RealResults
+    from kugelpendel.cli.run.real_results import RealResults
     from kugelpendel.observables import RealSummary
 
 _Row = tuple[str, str, str]
