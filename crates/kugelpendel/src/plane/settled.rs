@@ -12,6 +12,9 @@ const SETTLES: f64 = 15.0;
 /// A swing that dies away is looked at until so much of its amplitude is left.
 const LEFT: f64 = 0.1;
 
+/// A drive that has left less of the amplitude than this brakes it to nothing, and there is no plane to look at.
+const BRAKED: f64 = 1e-3;
+
 /// Any other for so many turns of the Earth.
 const TURNS: usize = 4;
 
@@ -46,8 +49,8 @@ pub struct Settled {
     pub dies: bool,
 }
 
-/// Follows a motion on a ground that turns with Ω_z, not 0. `None` where the motion ends before it is looked at, where that
-/// would take longer than 120 days, and where `go_on`, which is asked all the time, says no.
+/// Follows a motion on a ground that turns with Ω_z, not 0. `None` where the motion ends or a drive brakes it to nothing before
+/// it is looked at, where that would take longer than 120 days, and where `go_on`, which is asked all the time, says no.
 pub fn settle(
     motion: &EnvelopeMotion,
     [a, rotation]: [f64; 2],
@@ -72,8 +75,14 @@ pub fn settle(
         held.then_some((azimuth[0], axes))
     };
     for reading in 0..READINGS {
-        if !go_on() || (from > 0.0 && read(from * reading as f64 / READINGS as f64).is_none()) {
+        if !go_on() {
             return None;
+        }
+        if from > 0.0 {
+            let (_, [left, _]) = read(from * reading as f64 / READINGS as f64)?;
+            if left < BRAKED * a {
+                return None;
+            }
         }
     }
     let (first, axes) = read(from)?;

@@ -13,7 +13,7 @@ from kugelpendel.tracks.fitting._search import inverse
 
 
 @dataclass(frozen=True)
-class Line:
+class LinearFit:
     """What the least squares of a linear model give.
 
     Attributes
@@ -46,10 +46,10 @@ class Line:
         return max(self.chi_square / self.degrees, 1.0)
 
 
-def linear(columns: Sequence[Numbers], values: Numbers, error: Numbers) -> Line:
+def linear(columns: Sequence[Numbers], values: Numbers, error: Numbers) -> LinearFit:
     """The sum of columns, each times a coefficient, that comes nearest to values with errors."""
     design = np.stack(columns, axis=1) / error[:, None]
     size = np.linalg.norm(design, axis=0) + 1e-300
     solve: Any = np.linalg.lstsq
     found = np.asarray(solve(design / size, values / error, rcond=None)[0], dtype=float) / size
-    return Line(found, inverse(design), values / error - design @ found)
+    return LinearFit(found, inverse(design), values / error - design @ found)

@@ -8,7 +8,7 @@ import numpy as np
 
 from kugelpendel.tracks._scipy import student
 from kugelpendel.tracks.fitting._intervals import undetermined
-from kugelpendel.tracks.fitting._linear import Line, linear
+from kugelpendel.tracks.fitting._linear import LinearFit, linear
 from kugelpendel.tracks.fitting._model import IDEAL, INTRINSIC
 from kugelpendel.tracks.fitting._results import Estimate, FittedModel, PeriodTable, Stiffening
 from kugelpendel.tracks.reduction import column
@@ -77,7 +77,7 @@ def stiffening(model: FittedModel | None, period: PeriodTable | None) -> Stiffen
     )
 
 
-def _told(line: Line | None, index: int, unit: str) -> Estimate:
+def _told(line: LinearFit | None, index: int, unit: str) -> Estimate:
     if line is None:
         return undetermined(unit, "scale")
     error = float(np.sqrt(line.covariance[index, index] * line.ratio))
