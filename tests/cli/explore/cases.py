@@ -111,10 +111,8 @@ def under_forces(cases: list[Given]) -> list[Given]:
 
 def spoken(case: Given) -> tuple[kp.Pendulum, kp.Launch, kp.Forces]:
     """A case in Python."""
-    parts: dict[str, Any] = {}
-    for name, part in (("site", kp.Site), ("drag", kp.Drag), ("suspension", kp.Suspension)):
-        if name in case:
-            parts[name] = part(**case[name])
+    kinds: dict[str, Any] = {"site": kp.Site, "drag": kp.Drag, "suspension": kp.Suspension}
+    parts = {name: kind(**case[name]) for name, kind in kinds.items() if name in case}
     values = dict(case["launch"])
     launch = getattr(kp.Launch, values.pop("kind"))(**values)
     return kp.Pendulum(**case["pendulum"]), launch, kp.Forces(**parts)
