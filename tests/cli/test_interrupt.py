@@ -44,7 +44,7 @@ phase = 0.4
 
 COMMANDS = {
     "run": (["run"], JOB.format(forces="", duration="1000 h", step="10 ms")),
-    "run real": (["run"], JOB.format(forces=DRAG, duration="1e6 h", step="10 s")),
+    "run real": (["run"], JOB.format(forces=DRAG, duration="1e6 h", step="100 s")),
     "compare": (["compare"], JOB.format(forces="", duration="40000 s", step="1 s")),
     "design": (["design"], DESIGN),
     "synth": (["synth", "--rate", "300"], JOB.format(forces=DRAG, duration="40 h", step="1 s")),
