@@ -4,13 +4,14 @@ import contextlib
 import inspect
 import warnings
 from collections.abc import Callable, Iterator
+from io import BytesIO
 from typing import Any
 
 import numpy as np
 import pytest
 
 import kugelpendel as kp
-from kugelpendel import errors, olsson, plot, series
+from kugelpendel import errors, observables, olsson, plot, series, tracks
 
 PENDULUM = kp.Pendulum(1.0)
 LAUNCH = kp.Launch.ellipse(0.1, 0.02)
@@ -23,6 +24,11 @@ DESIGN = kp.design(PENDULUM, 0.1, checked=False)
 MAP = kp.validity_map(2)
 COMPARED = kp.compare(PENDULUM, LAUNCH, 2.0)
 TIMES = np.array([0.0, 1.0])
+DAY = observables.Apsides(TIMES, 0.1 + 0 * TIMES, 0.02 + 0 * TIMES, 0.1 * TIMES, 0.1, 0.02)
+TRACK = tracks.synthesise(REAL, 150.0, 10.0, noise=1e-4)
+ELLIPSES = tracks.ellipses(TRACK)
+FIT = tracks.fit(ELLIPSES, models=("narrow",))
+FIGURE = plot.portrait(PORTRAIT)
 
 ODD = (
     "x", b"1", None, True, 1j, -1, 0, 1.5, 10**400, float("nan"), float("inf"), [], ["a"], {}, (),
@@ -93,15 +99,44 @@ CALLS: dict[str, Call] = {
     "olsson.precession": (olsson.precession, (0.1, 0.05, 1.0, 9.81), {}),
     "plot.compared": (lambda odd: plot.compared(odd, ""), (COMPARED,), {}),
     "plot.compared title": (lambda odd: plot.compared(COMPARED, odd), ("",), {}),
+    "plot.day": (plot.day, (REAL, DAY, MEAN.rates(TIMES), ""), {}),
     "plot.design": (lambda odd: plot.design(odd, ""), (DESIGN,), {}),
     "plot.overview": (lambda odd: plot.overview(odd, 2.0), (None,), {}),
     "plot.portrait": (lambda odd: plot.portrait(odd), (PORTRAIT,), {}),
+    "plot.save": (lambda odd: plot.save(odd, BytesIO()), (FIGURE,), {}),
+    "plot.save path": (lambda odd: plot.save(FIGURE, odd), (BytesIO(),), {}),
     "plot.validity": (lambda odd: plot.validity(odd), (MAP,), {}),
     "series.frequency": (series.frequency, (4, "radii"), {}),
     "series.harmonics": (series.harmonics, (4, "radii"), {}),
     "series.precession": (series.precession, (4, "radii"), {}),
     "series.radius": (series.radius, (0.1, "radii"), {}),
     "series.trusted": (series.trusted, (0.1, 0.05, 4), {}),
+    "tracks.EllipseTable": (tracks.EllipseTable, (TIMES, TIMES, TIMES, TIMES, "m"), {}),
+    "tracks.Track": (tracks.Track, (TIMES, TIMES, TIMES, "m"), {}),
+    "tracks.ellipses": (tracks.ellipses, (TRACK,), {"swings": 8.0}),
+    "tracks.fit": (tracks.fit, (ELLIPSES,), {"length": None, "models": ("narrow",)}),
+    "tracks.fit options": (
+        lambda **odd: tracks.fit(ELLIPSES, models=("narrow",), **odd), (),
+        {"gravity": 9.81, "latitude": None, "damping_unevenness": 0.1, "tilt": 0.02},
+    ),
+    # Of b > a no plan is made, which would take long; all else is looked at before.
+    "tracks.plan": (
+        tracks.plan, (1.0,),
+        {"a": 0.1, "b": 0.2, "noise": 1e-4, "rate": 10.0, "gravity": 9.81, "latitude": 0.9,
+         "half_life": 600.0, "share": 0.01},
+    ),
+    "tracks.profile": (tracks.profile, (FIT, "rotation"), {"model": "narrow", "points": 5}),
+    "tracks.read": (
+        tracks.read, ("none.csv",),
+        {"columns": None, "mass": None, "rate": None, "scale": None, "y_down": None},
+    ),
+    "tracks.residuals": (tracks.residuals, (TRACK,), {"swings": 8.0}),
+    "tracks.synthesise": (
+        tracks.synthesise, (MEAN, 10.0, 10.0),
+        {"start": 0.0, "noise": 1e-4, "colour": "white", "noise_ratio": 1.0, "jitter": 0.0,
+         "gaps": (), "outliers": 0.0, "tilt": 0.0, "tilt_axis": 0.0, "pixel": None, "seed": 0},
+    ),
+    "tracks.tabulated": (tracks.tabulated, (np.arange(6.0),) * 4, {"unit": "m"}),
     "validity": (kp.validity, (0.1, 0.05, 1.0), {}),
     "validity_map": (kp.validity_map, (3, 0.9), {}),
 }  # fmt: skip
@@ -160,6 +195,19 @@ def test_none_is_left_out() -> None:
     made = {name.split(".")[0] for name in CALLS} | MADE_BY_OTHERS
     wrong = [name for name in public if name not in made and not hasattr(errors, name)]
     assert wrong == []
-    for name in series.__all__:
-        if inspect.isfunction(getattr(series, name)):
-            assert f"series.{name}" in CALLS
+    for module in (plot, series, tracks):
+        for name, _ in inspect.getmembers(module, inspect.isfunction):
+            if not name.startswith("_"):
+                assert f"{module.__name__.removeprefix('kugelpendel.')}.{name}" in CALLS
+
+
+@pytest.mark.parametrize("odd", [1, "x", b"1", TIMES])
+def test_a_listener_is_a_function(odd: Any) -> None:
+    for call in (
+        lambda: tracks.ellipses(TRACK, progress=odd),
+        lambda: tracks.fit(ELLIPSES, progress=odd),
+        lambda: tracks.read("none.csv", progress=odd),
+        lambda: tracks.synthesise(MEAN, 10.0, 10.0, done=odd),
+    ):
+        with pytest.raises(kp.InvalidInput, match="function"):
+            call()

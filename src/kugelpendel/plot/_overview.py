@@ -102,12 +102,17 @@ def save(figure: Figure, path: Path | str | BytesIO) -> None:
     """Write a figure; the ending of the name says as what: png, svg or pdf; into memory as png.
 
     The same figure gives the same file, byte for byte, with the same version of matplotlib. Raises
-    InvalidInput for another ending, and for what is no figure.
+    InvalidInput for another ending, for what is no figure, and for what is no file's name.
     """
     if not isinstance(figure, _ink.Figure):  # pyright: ignore[reportUnnecessaryIsInstance]
         raise InvalidInput(
             f"Only a figure can be saved, but this is {figure!r:.60} of type "
             f"{type(figure).__name__}; write save(plot.overview(motion, duration), path)."
+        )
+    if not isinstance(path, (str, Path, BytesIO)):  # pyright: ignore[reportUnnecessaryIsInstance]
+        raise InvalidInput(
+            f"A figure is saved under a file's name, but this is {path!r:.60} of type "
+            f'{type(path).__name__}; write save(figure, "figure.png").'
         )
     known = figure.canvas.get_supported_filetypes()
     ending = "png" if isinstance(path, BytesIO) else Path(path).suffix.lstrip(".").lower()

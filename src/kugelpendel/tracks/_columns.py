@@ -7,12 +7,14 @@ from typing import Protocol
 import numpy as np
 
 from kugelpendel.errors import InvalidInput
-from kugelpendel.parameters import Numbers
+from kugelpendel.parameters import Numbers, as_array
 
 
 class _Timed(Protocol):
     @property
     def time(self) -> Numbers: ...
+    @property
+    def unit(self) -> str: ...
 
 
 def keep_columns(recording: _Timed, *names: str) -> None:
@@ -28,12 +30,17 @@ def keep_columns(recording: _Timed, *names: str) -> None:
     Raises
     ------
     InvalidInput
-        For arrays of other shapes or of different lengths, numbers that are not finite, and times
-        that do not ascend.
+        For what is not made of numbers, arrays of other shapes or of different lengths, numbers
+        that are not finite, times that do not ascend, and a unit that is no text.
     """
-    shape = np.shape(recording.time)
+    if not isinstance(recording.unit, str):  # pyright: ignore[reportUnnecessaryIsInstance]
+        seen = f"{recording.unit!r:.60} of type {type(recording.unit).__name__}"
+        way_out = 'write "m", for instance'
+        raise InvalidInput.of("wrong_type", what="unit", wanted="text", seen=seen, way_out=way_out)
+    shape = np.shape(as_array(recording.time, "time", "s"))
     for name in ("time", *names):
-        values = np.array(getattr(recording, name), dtype=float)
+        unit = {"time": "s", "azimuth": "rad"}.get(name, recording.unit)
+        values = as_array(getattr(recording, name), name, unit).copy()
         if values.ndim != 1 or values.shape != shape:
             raise InvalidInput.of(
                 "columns_shape", what=name, seen=str(values.shape), times=str(shape)

@@ -9,7 +9,7 @@ import numpy as np
 
 from kugelpendel import _core
 from kugelpendel.errors import InvalidInput, require_extra
-from kugelpendel.parameters import Numbers, Site
+from kugelpendel.parameters import Numbers, Site, one_number
 from kugelpendel.tracks.fitting._model import (
     ALL,
     FORCES,
@@ -128,17 +128,20 @@ def plan(
         For numbers that are not positive, and an ellipse that is none.
     """
     require_extra("fit", "kugelpendel.tracks", "scipy", "xarray")
-    half_life = 3600.0 if half_life is None else half_life
-    sizes = {
-        "length": length, "noise": noise, "rate": rate, "gravity": gravity, "share": share,
-        "half_life": half_life,
+    given = {
+        "length": (length, "m"), "noise": (noise, "m"), "rate": (rate, "1/s"),
+        "gravity": (gravity, "m/s²"), "share": (share, ""),
+        "half_life": (3600.0 if half_life is None else half_life, "s"),
     }  # fmt: skip
+    sizes = {name: one_number(value, name, unit) for name, (value, unit) in given.items()}
     for name, value in sizes.items():
         if not 0 < value < np.inf:
-            raise InvalidInput.of("fit_positive", what=name, seen=float(value))
+            raise InvalidInput.of("fit_positive", what=name, seen=value)
+    length, noise, rate, gravity, share, half_life = sizes.values()
+    a, b = one_number(a, "a", "m"), one_number(b, "b", "m")
+    latitude = None if latitude is None else one_number(latitude, "latitude", "rad")
     if not 0 < abs(b) < a < length:
-        seen = {"a": float(a), "b": float(b), "length": float(length)}
-        raise InvalidInput.of("plan_ellipse", **seen)
+        raise InvalidInput.of("plan_ellipse", a=a, b=b, length=length)
     rotation = 0.0 if latitude is None else float(np.asarray(Site(latitude).vertical_rotation))
     period = 2 * np.pi * np.sqrt(length / gravity)
     durations = np.geomspace(max(_SHORTEST, 24 * period), _DAYS * 86400.0, _LOOKED)

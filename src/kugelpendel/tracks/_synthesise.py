@@ -6,11 +6,12 @@ from collections.abc import Callable, Sequence
 from typing import Literal, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from kugelpendel.errors import InvalidInput
 from kugelpendel.motion import Motion
-from kugelpendel.parameters import Numbers
+from kugelpendel.parameters import Numbers, as_array, one_number, require_type
+from kugelpendel.tracks._asked import require, require_listener, whole
 from kugelpendel.tracks._scipy import first_order
 from kugelpendel.tracks._track import Track
 
@@ -83,32 +84,45 @@ def synthesise(
     Raises
     ------
     InvalidInput
-        For ensembles, shares out of range, and durations and rates that make no track.
+        For what is of another type, ensembles, shares out of range, and durations and
+        rates that make no track.
     MotionEnded
         Where the motion ends before its track.
     """
+    way_out = "write kp.ExactMotion(pendulum, launch), for instance"
+    require_type("What is recorded", motion, Motion, way_out=way_out)
+    require_listener(done)
+    given = {
+        "duration": (duration, "s"), "rate": (rate, "1/s"), "start": (start, "s"),
+        "noise": (noise, "m"), "noise_ratio": (noise_ratio, ""), "jitter": (jitter, ""),
+        "outliers": (outliers, ""), "tilt": (tilt, ""), "tilt_axis": (tilt_axis, "rad"),
+    }  # fmt: skip
+    numbers = [one_number(value, name, unit) for name, (value, unit) in given.items()]
+    duration, rate, start, noise, noise_ratio, jitter, outliers, tilt, tilt_axis = numbers
+    pixel = None if pixel is None else one_number(pixel, "pixel", "m")
+    seed = whole("seed", seed, 0, 2**53)
     shares = {"jitter": (jitter, 0.45), "outliers": (outliers, 0.5), "tilt": (abs(tilt), 0.5)}
     for name, (value, most) in shares.items():
         if not 0 <= value <= most:
-            raise InvalidInput.of("synth_share", what=name, seen=float(value), most=most)
+            raise InvalidInput.of("synth_share", what=name, seen=value, most=most)
     sizes = {"duration": duration, "rate": rate, "noise_ratio": noise_ratio}
     if pixel is not None:
         sizes["pixel"] = pixel
     for name, value in sizes.items():
         if not 0 < value < np.inf:
-            raise InvalidInput.of("synth_positive", what=name, seen=float(value))
+            raise InvalidInput.of("synth_positive", what=name, seen=value)
     if not 0 <= noise < np.inf:
-        raise InvalidInput.of("synth_positive", what="noise", seen=float(noise))
+        raise InvalidInput.of("synth_positive", what="noise", seen=noise)
     if motion.shape != ():
         raise InvalidInput.of("synth_single", shape=str(motion.shape))
     if not 8 <= duration * rate <= _MOST:
-        raise InvalidInput.of("synth_points", points=float(duration * rate), most=float(_MOST))
+        raise InvalidInput.of("synth_points", points=duration * rate, most=float(_MOST))
     random = np.random.default_rng(seed)
     count = int(duration * rate) + 1
     time = np.arange(count) / rate
     time[1:-1] += random.uniform(-jitter, jitter, count - 2) / rate
     keep = np.ones(count, dtype=bool)
-    for begin, length in gaps:
+    for begin, length in _stretches(gaps):
         keep &= (time < begin) | (time >= begin + length)
     place = _positions(motion, start + time, done)
     z: NDArray[np.complex128] = place[:, 0] + 1j * place[:, 1]
@@ -125,6 +139,15 @@ def synthesise(
     return Track(time[keep], np.rint(z.real / pixel), np.rint(z.imag / pixel), unit="px")
 
 
+def _stretches(gaps: ArrayLike) -> Numbers:
+    """First time and length of each gap, shape (n, 2); raises InvalidInput for anything else."""
+    pairs = as_array(gaps, "gaps", "s")
+    is_right = pairs.size == 0 or (pairs.ndim == 2 and pairs.shape[1] == 2)
+    way_out = "write [(start, length), …] in s"
+    require(is_right, "gaps", gaps, "list of pairs of numbers", way_out)
+    return pairs.reshape(-1, 2)
+
+
 def _positions(motion: Motion, time: Numbers, done: Callable[[int, int], None] | None) -> Numbers:
     """Positions at times in order, (n, 3), in pieces."""
     found: list[Numbers] = []
@@ -138,6 +161,8 @@ def _positions(motion: Motion, time: Numbers, done: Callable[[int, int], None] |
 def _noise(random: np.random.Generator, colour: Colour, time: Numbers, rate: float) -> Numbers:
     """Noise with variance 1 at these times; the coloured kinds run from point to point."""
     count = len(time)
+    if not isinstance(colour, (str, int, float)):  # pyright: ignore[reportUnnecessaryIsInstance]
+        raise InvalidInput.of("synth_colour", seen=f"{colour!r:.60}")
     if colour == "white":
         return random.standard_normal(count)
     if colour == "t3":
@@ -146,7 +171,7 @@ def _noise(random: np.random.Generator, colour: Colour, time: Numbers, rate: flo
         drift = _first_order(random, count, float(np.exp(-1 / (60 * rate))))
         return np.sqrt(0.5) * (random.standard_normal(count) + drift)
     if isinstance(colour, str) or not -1 < colour < 1:
-        raise InvalidInput.of("synth_colour", seen=str(colour))
+        raise InvalidInput.of("synth_colour", seen=f"{colour!r:.60}")
     return _first_order(random, count, float(colour))
 
 

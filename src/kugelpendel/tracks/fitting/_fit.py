@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from kugelpendel.errors import InvalidInput
+from kugelpendel.tracks._asked import require, require_listener
 from kugelpendel.tracks._scipy import chi_square_tail
 from kugelpendel.tracks.fitting._intervals import Judge, is_misfit
 from kugelpendel.tracks.fitting._measured import azimuth_alone
@@ -76,8 +77,8 @@ def fit(
     Raises
     ------
     InvalidInput
-        For fewer than six windows, a track in one plane that does not turn, lengths and sizes that
-        are not positive.
+        For what is of another type, fewer than six windows, a track in one plane that does
+        not turn, lengths and sizes that are not positive.
 
     Notes
     -----
@@ -86,8 +87,11 @@ def fit(
     parameter whose interval is wider than its physical range (|Ω_z| ≤ Ω_E, |Δγ| ≤ 2γ, 0 ≤ κ ≤ 1)
     is "not determined". Coverage on synthetic tracks is in docs/tracks.md.
     """
+    is_list = isinstance(models, (list, tuple))
+    require(is_list, "models", models, "list of names", 'write models=["narrow"]')
+    require_listener(progress)
     for name in models:
-        if name not in MODELS:
+        if not isinstance(name, str) or name not in MODELS:  # pyright: ignore[reportUnnecessaryIsInstance]
             raise InvalidInput.of("fit_model", seen=str(name), known=", ".join(MODELS))
     tell = progress or silent
     problem = problem_of(ellipses, length, gravity, latitude, damping_unevenness, tilt, tell)

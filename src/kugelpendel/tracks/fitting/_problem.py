@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from kugelpendel.errors import InvalidInput, require_extra
-from kugelpendel.parameters import Numbers, Site
+from kugelpendel.parameters import Numbers, Site, one_number
+from kugelpendel.tracks._asked import require
 from kugelpendel.tracks._scipy import chi_square_limit
 from kugelpendel.tracks._track import Track
 from kugelpendel.tracks.fitting._model import (
@@ -118,16 +119,17 @@ def problem_of(
 ) -> Problem:
     """The problem that `fit` solves; raises what it does."""
     require_extra("fit", "kugelpendel.tracks", "scipy", "xarray")
-    sizes = {"damping_unevenness": damping_unevenness, "tilt": tilt, "gravity": gravity}
-    if length is not None:
-        sizes["length"] = length
-    for name, value in sizes.items():
-        if not 0 < value < np.inf:
-            raise InvalidInput.of("fit_positive", what=name, seen=float(value))
+    damping_unevenness = _positive("damping_unevenness", damping_unevenness, "")
+    tilt, gravity = _positive("tilt", tilt, ""), _positive("gravity", gravity, "m/s²")
+    length = None if length is None else _positive("length", length, "m")
     if latitude is not None:
+        latitude = one_number(latitude, "latitude", "rad")
         Site(latitude)  # refuses what is no latitude
     if isinstance(ellipses, Track):
         ellipses = ellipses_of(ellipses, progress=lambda share: tell(0.3 * share))
+    is_reduced = type(ellipses).__name__ == "Dataset" and {*SHAPE, "covariance"} <= {*ellipses}
+    way_out = "give what kugelpendel.tracks.ellipses(track) gives, or a track"
+    require(is_reduced, "What is fitted", ellipses, "table of ellipses", way_out)
     windows = ellipses.sizes["time"]
     if windows < _LEAST:
         raise InvalidInput.of("fit_windows", windows=windows, least=_LEAST)
@@ -153,6 +155,13 @@ def problem_of(
     nuisances: dict[str, float] = dict.fromkeys(TILT, tilt)
     nuisances |= dict.fromkeys(DAMPING, damping_unevenness * decay)
     return Problem(ellipses, measured, scale, scaled, middle, start, free, nuisances, latitude)
+
+
+def _positive(name: str, value: float, unit: str) -> float:
+    number = one_number(value, name, unit)
+    if not 0 < number < np.inf:
+        raise InvalidInput.of("fit_positive", what=name, seen=number)
+    return number
 
 
 def measured_of(

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from kugelpendel.errors import InvalidInput
-from kugelpendel.parameters import Numbers
+from kugelpendel.parameters import Numbers, require_type
+from kugelpendel.tracks._asked import require_text, whole
 from kugelpendel.tracks.fitting._intervals import Judge
 from kugelpendel.tracks.fitting._model import ALL
 from kugelpendel.tracks.fitting._results import Profile, TrackFit
@@ -13,6 +14,9 @@ from kugelpendel.tracks.fitting._search import search
 
 _FAR = 3.5
 """Standard errors to either side."""
+
+_MOST = 10_000
+"""Points; each is a search of its own."""
 
 
 def profile(
@@ -29,7 +33,8 @@ def profile(
     model
         One of the models of the averaged motion that were fitted.
     points
-        How many values, three and a half standard errors to either side.
+        How many values, at least five and at most 10 000, up to three and a half standard
+        errors to either side.
 
     Returns
     -------
@@ -40,8 +45,14 @@ def profile(
     Raises
     ------
     InvalidInput
-        For a model that was not fitted, and a parameter that is not free in it.
+        For what is of another type, a model that was not fitted, and a parameter that is not free
+        in it.
     """
+    way_out = "give what kugelpendel.tracks.fit(ellipses) gives"
+    require_type("What is profiled", fit, TrackFit, way_out=way_out)
+    require_text("model", model)
+    require_text("name", name)
+    points = whole("points", points, 1, _MOST)
     if model not in fit.minima:
         raise InvalidInput.of("fit_model", seen=model, known=", ".join(fit.minima))
     problem, found = fit.problem, fit.minima[model]

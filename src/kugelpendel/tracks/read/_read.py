@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import Any, cast
 
 import numpy as np
 
 from kugelpendel.errors import InvalidInput, require_extra
+from kugelpendel.parameters import one_number, one_truth
+from kugelpendel.tracks._asked import require, require_listener, require_text
 from kugelpendel.tracks._ellipse_table import EllipseTable
 from kugelpendel.tracks._note import Note
 from kugelpendel.tracks._track import Track
@@ -76,15 +79,24 @@ def read(
     Raises
     ------
     InvalidInput
-        The file is not there, has no track in it, leaves open which of several masses is meant, or
-        has frames and no `rate`. Every case has its own `kind`.
+        Something is of another type, the file is not there, has no track in it, leaves open which
+        of several masses is meant, or has frames and no `rate`. Every case has its own `kind`.
     MissingExtra
         A Tracker project or Parquet is read without the extra [fit].
     """
+    is_name = isinstance(path, (str, Path))  # pyright: ignore[reportUnnecessaryIsInstance]
+    require(is_name, "The path", path, "file's name", "write it in quotes")
+    _require_columns(columns)
+    if mass is not None:
+        require_text("The mass", mass)
+    require_listener(progress)
+    rate = None if rate is None else one_number(rate, "rate", "1/s")
     if rate is not None and not 0 < rate < np.inf:
         raise InvalidInput.of("track_rate", rate=rate)
+    scale = None if scale is None else one_number(scale, "scale", "m")
     if scale is not None and not 0 < scale < np.inf:
         raise InvalidInput.of("track_scale", scale=scale)
+    y_down = None if y_down is None else one_truth(y_down, "The option y_down")
     file = Path(path)
     return told(_sheet(file, progress), file, columns, mass, rate, scale, y_down)
 
@@ -109,6 +121,19 @@ def told(
     if "x" not in found:
         return _ellipses(found, time, notes, scale, y_down, file.name)
     return _track(roles, time, notes, scale, y_down, file)
+
+
+def _require_columns(columns: Any) -> None:
+    """Raise InvalidInput for what does not say which column is what."""
+    is_right = columns is None or (
+        isinstance(columns, Mapping)
+        and all(
+            isinstance(role, str) and isinstance(column, (str, int))
+            for role, column in cast("Mapping[object, object]", columns).items()
+        )
+    )
+    way_out = 'write columns={"time": 1, "x": "x (m)", "y": 3}'
+    require(is_right, "columns", columns, "mapping of names to columns", way_out)
 
 
 def _sheet(file: Path, progress: Callable[[float], None] | None) -> Sheet:

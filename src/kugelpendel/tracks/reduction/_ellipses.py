@@ -10,6 +10,8 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from kugelpendel.errors import InvalidInput, require_extra
+from kugelpendel.parameters import one_number
+from kugelpendel.tracks._asked import require_listener, require_track
 from kugelpendel.tracks._track import Track
 from kugelpendel.tracks.reduction._carrier import (
     Array,
@@ -87,8 +89,8 @@ def ellipses(
     Raises
     ------
     InvalidInput
-        For tracks that show no swing, fewer than three, or less than three points to one; for
-        two motions in one, circles, and constant positions.
+        For what is no track, tracks that show no swing, fewer than three, or less than three
+        points to one; for two motions in one, circles, and constant positions.
     MissingExtra
         Where xarray or SciPy is not installed.
 
@@ -102,6 +104,8 @@ def ellipses(
     in the middle: a turning radius is (3/64)(a² − b²)/l² less for a, and as much more for b.
     """
     require_extra("fit", "kugelpendel.tracks", "scipy", "xarray")
+    require_track(track)
+    require_listener(progress)
     return _dataset(_reduced(track, swings, progress or (lambda share: None)), track.unit)
 
 
@@ -123,6 +127,7 @@ def residuals(track: Track, *, swings: float = 8.0) -> Any:
     require_extra("fit", "kugelpendel.tracks", "scipy", "xarray")
     import xarray
 
+    require_track(track)
     reduced = _reduced(track, swings, lambda share: None)
     place = reduced.z - reduced.residuals + reduced.origin
     rest = reduced.residuals.copy()
@@ -153,6 +158,7 @@ _LATEST: WeakKeyDictionary[Track, tuple[float, _Reduced]] = WeakKeyDictionary()
 
 def _reduced(track: Track, swings: float, tell: Callable[[float], None]) -> _Reduced:
     """The track taken apart, once for all that is asked of it."""
+    swings = one_number(swings, "swings", "")
     latest = _LATEST.get(track)
     if latest is None or latest[0] != swings:
         latest = _LATEST[track] = (swings, _reduce(track, swings, tell))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -46,7 +46,8 @@ def tabulated(
         that are not finite.
     """
     require_extra("fit", "kugelpendel.tracks", "scipy", "xarray")
-    table = EllipseTable(_array(time), _array(a), _array(b), _array(azimuth), unit)
+    # The table makes arrays of them.
+    table = EllipseTable(*(cast("tuple[Array, Array, Array, Array]", (time, a, b, azimuth))), unit)
     count, times = len(table), table.time
     if count < _LEAST:
         raise InvalidInput.of("table_rows", rows=count, least=_LEAST)
@@ -64,10 +65,6 @@ def tabulated(
     attrs = {"unit": unit, "origin": "table", "points": count, "pieces": 1, "rejected": 0}
     zeros = np.zeros(count)
     return labelled(times.copy(), values, covariance, attrs, zeros, np.ones(count, dtype=int))
-
-
-def _array(values: ArrayLike) -> Array:
-    return np.asarray(values, dtype=float)
 
 
 def _scatter(time: Array, values: Array) -> float:
