@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, cast
+from typing import cast
 
 import numpy as np
 
@@ -123,7 +123,7 @@ def told(
     return _track(roles, time, notes, scale, y_down, file)
 
 
-def _require_columns(columns: Any) -> None:
+def _require_columns(columns: object) -> None:
     """Raise InvalidInput for what does not say which column is what."""
     is_right = columns is None or (
         isinstance(columns, Mapping)
@@ -133,7 +133,7 @@ def _require_columns(columns: Any) -> None:
         )
     )
     way_out = 'write columns={"time": 1, "x": "x (m)", "y": 3}'
-    require(is_right, "columns", columns, "mapping of names to columns", way_out)
+    require(is_right, "columns", cast("object", columns), "mapping of names to columns", way_out)
 
 
 def _sheet(file: Path, progress: Callable[[float], None] | None) -> Sheet:
