@@ -357,6 +357,7 @@ class Motion(ABC, Generic[Scalar_co]):
         """Events of a single motion: here on a grid of its own states."""
         point = self.effective_pendulum
         step = np.pi / (_GRID * float(point.angular_frequency))
+        require_told(between, step)
         pendulum = [float(number) for number in point.values]
         return _core.events_on_a_grid(
             self._states, kind, value, between, self.span, step, most, pendulum
@@ -369,3 +370,14 @@ class Motion(ABC, Generic[Scalar_co]):
 
 def _again(make: type[Motion], arguments: dict[str, Any]) -> Motion:
     return make(**arguments)
+
+
+def require_told(between: tuple[float, float], step: float) -> None:
+    """Raise InvalidInput where the times of an interval are farther apart than a step, all in s."""
+    far = max(between, key=abs)
+    apart = float(np.spacing(abs(far)))
+    if apart > step:
+        raise InvalidInput(
+            f"At {far:.6g} s times are known to {apart:.2g} s only, in which more than one event "
+            f"happens; ask for earlier times."
+        )

@@ -132,3 +132,14 @@ def test_a_series_says_how_wrong_it_is() -> None:
 def test_orders_that_make_no_sense(order: object) -> None:
     with pytest.raises(kp.InvalidInput, match="order"):
         kp.SeriesMotion(kp.Pendulum(1.0), kp.Launch.apsides(0.2, 0.1), order=order)  # pyright: ignore[reportArgumentType, reportCallIssue]
+
+
+def test_events_later_than_times_can_tell() -> None:
+    motion = kp.LinearMotion(kp.Pendulum(1.0), kp.Launch.ellipse(0.3, 0.1))
+    with pytest.raises(kp.errors.InvalidInput, match="in which more than one event happens"):
+        motion.events("inner", 0.0, 1e78)
+
+
+def test_a_series_of_no_case_at_all() -> None:
+    motion = kp.SeriesMotion(kp.Pendulum([]), kp.Launch.ellipse(0.1, 0.02))
+    assert motion.position(1.0).shape == (0, 3)

@@ -93,7 +93,8 @@ class SeriesMotion(HarmonicMotion[Scalar_co]):
         columns = [np.asarray(omega0 * rate(alpha, beta))[..., np.newaxis] for rate in rates]
         columns += self._figure(alpha, beta)
         rows = [np.broadcast_to(c, (*self.shape, c.shape[-1])) for c in columns]
-        return np.concatenate(rows, axis=-1).reshape(self._count, -1)
+        whole = np.concatenate(rows, axis=-1)
+        return whole.reshape(self._count, whole.shape[-1])
 
     def _figure(self, alpha: Numbers, beta: Numbers) -> list[Numbers]:
         plan = series.harmonics(self._order).plan
