@@ -127,6 +127,19 @@ def test_a_swing_that_dies_away_is_told_over_its_life(repository: Path, tmp_path
     assert "as the clamp alone would do" in note
 
 
+def test_a_drive_that_brakes_the_swing_to_nothing_leaves_no_plane() -> None:
+    # Pushes inwards stop this swing within minutes; one that keeps up a 200th of it does not.
+    found = []
+    for push in (-1.0395e-4, 5.2e-7):
+        design = kp.design(
+            kp.Pendulum(0.83, SITE.gravity), 0.03, azimuth=0.3, site=SITE, drag=kp.Drag(1e-3),
+            suspension=kp.Suspension(1.5e-4, 0.3), drive=kp.Drive(push, phase=0.4354),
+            checked=False,
+        )  # fmt: skip
+        found.append("settled_rate" in design)
+    assert found == [False, True]
+
+
 def test_what_never_settles_is_not_told() -> None:
     clamp, drag = kp.Suspension(4e-6, 0.3), kp.Drag(1e-12)
     found = kp.design(PENDULUM, 0.5, site=SITE, suspension=clamp, drag=drag,

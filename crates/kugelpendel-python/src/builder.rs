@@ -3,8 +3,7 @@
 use crate::given::{Columned, Named};
 use crate::portrait::word;
 use kugelpendel::{
-    Cause, Decay, Drive, EnvelopeMotion, ExactMotion, Forces, Invalid, Launch, Pendulum, PrecessionBudget, settle,
-    stretches,
+    Cause, Decay, EnvelopeMotion, ExactMotion, Forces, Invalid, Launch, Pendulum, PrecessionBudget, settle, stretches,
 };
 use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyValueError;
@@ -52,19 +51,21 @@ fn made([length, gravity, mass]: [f64; 3]) -> Pendulum {
 }
 
 /// The averaged motion from an outer turning point: the pendulum as given (length, gravity, mass), the ellipse (a, b,
-/// azimuth), and columns of what acts, with one number in each.
+/// azimuth), and columns of what acts, with one number in each. Beside it the forces, the decay, and what a push alone makes a
+/// bob at rest swing by, m.
 fn averaged(
     pendulum: [f64; 3],
     ellipse: [f64; 3],
     acting: &Columned<'_>,
-) -> PyResult<(EnvelopeMotion, Forces, Decay, bool)> {
+) -> PyResult<(EnvelopeMotion, Forces, Decay, f64)> {
     let wrong = |invalid: Invalid| PyValueError::new_err(invalid.to_string());
     let acting = Named::checked(acting, 1)?.acting()?(0);
     let effective = acting.effective_pendulum(&made(pendulum)).map_err(wrong)?;
     let forces = acting.forces();
-    let decay = Decay::new(forces.damping, forces.quadratic, effective.angular_frequency());
+    let omega0 = effective.angular_frequency();
+    let decay = Decay::new(forces.damping, forces.quadratic, omega0);
     let motion = EnvelopeMotion::at_apsis(effective, ellipse, forces, acting.drive, 1.0).map_err(wrong)?;
-    Ok((motion, forces, decay, acting.drive != Drive::Absent))
+    Ok((motion, forces, decay, acting.drive.push().abs() / omega0))
 }
 
 /// The five shares of the plane's rate, rad/s, and the rates of a and b, m/s.
@@ -90,9 +91,9 @@ pub(crate) fn settled(
     ellipse: [f64; 3],
     acting: Columned<'_>,
 ) -> PyResult<Option<SettledRow>> {
-    let (motion, forces, decay, driven) = averaged(pendulum, ellipse, &acting)?;
+    let (motion, forces, decay, stroke) = averaged(pendulum, ellipse, &acting)?;
     let mut signal = Ok(());
-    let found = settle(&motion, [ellipse[0], forces.rotation[1]], &decay, driven, || {
+    let found = settle(&motion, [ellipse[0], forces.rotation[1]], &decay, stroke, || {
         signal = py.check_signals();
         signal.is_ok()
     });

@@ -119,10 +119,11 @@ pub extern "C" fn settles() -> u32 {
         let mut motion = Motion::new(AVERAGED)?;
         let mut ellipse = [f64::NAN; 3];
         motion.ellipses(&[0.0], &mut ellipse);
-        let decay = Decay::new(forces.damping, forces.quadratic, given.effective.angular_frequency());
-        let driven = given.acting.drive.push() != 0.0;
+        let omega0 = given.effective.angular_frequency();
+        let decay = Decay::new(forces.damping, forces.quadratic, omega0);
+        let stroke = given.acting.drive.push().abs() / omega0;
         let turning = motion.averaged().filter(|_| forces.rotation[1] != 0.0);
-        Ok(turning.and_then(|motion| settle(motion, [ellipse[0], forces.rotation[1]], &decay, driven, || true)))
+        Ok(turning.and_then(|motion| settle(motion, [ellipse[0], forces.rotation[1]], &decay, stroke, || true)))
     });
     match found {
         Err(invalid) => {

@@ -12,9 +12,6 @@ const SETTLES: f64 = 15.0;
 /// A swing that dies away is looked at until so much of its amplitude is left.
 const LEFT: f64 = 0.1;
 
-/// A drive that has left less of the amplitude than this brakes it to nothing, and there is no plane to look at.
-const BRAKED: f64 = 1e-3;
-
 /// Any other for so many turns of the Earth.
 const TURNS: usize = 4;
 
@@ -49,15 +46,17 @@ pub struct Settled {
     pub dies: bool,
 }
 
-/// Follows a motion on a ground that turns with Ω_z, not 0. `None` where the motion ends or a drive brakes it to nothing before
-/// it is looked at, where that would take longer than 120 days, and where `go_on`, which is asked all the time, says no.
+/// Follows a motion on a ground that turns with Ω_z, not 0, from the amplitude `a` in m. `stroke` is what a push alone makes a bob
+/// at rest swing by, |p|/ω0 in m, and 0 without a drive. `None` where the motion ends or a drive brakes it to less than that
+/// before it is looked at, where that would take longer than 120 days, and where `go_on`, which is asked all the time, says no.
 pub fn settle(
     motion: &EnvelopeMotion,
     [a, rotation]: [f64; 2],
     decay: &Decay,
-    driven: bool,
+    stroke: f64,
     mut go_on: impl FnMut() -> bool,
 ) -> Option<Settled> {
+    let driven = stroke > 0.0;
     let loss = decay.rate(a);
     let turn = TAU / rotation.abs();
     let life = decay.until(a, LEFT * a);
@@ -80,7 +79,7 @@ pub fn settle(
         }
         if from > 0.0 {
             let (_, [left, _]) = read(from * reading as f64 / READINGS as f64)?;
-            if left < BRAKED * a {
+            if left < stroke {
                 return None;
             }
         }
