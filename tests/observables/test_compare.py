@@ -177,3 +177,14 @@ def test_warnings_become_cautions() -> None:
     comparison = kp.compare(UNIT, kp.Launch.apsides(0.95, 0.5))
     assert "use a higher order, or ExactMotion" in comparison.row("SeriesMotion(6)").caution
     assert comparison.row("PlaneMotion").caution == ""
+
+
+def test_somebody_is_told_how_far_the_integrated_motions_are() -> None:
+    told: list[tuple[int, int]] = []
+    made = kp.compare(UNIT, kp.Launch.ellipse(0.3, 0.1), done=lambda *far: told.append(far))
+    both = 2 * len(made.times)
+    assert {total for _, total in told} == {both}
+    taken = [some for some, _ in told]
+    assert taken == sorted(taken)
+    assert taken[-1] == both
+    assert len(taken) >= 100

@@ -47,3 +47,12 @@ def test_gaps_outliers_tilt_and_pixels() -> None:
     pixels = kp.tracks.synthesise(MOTION, 10.0, 30.0, pixel=1e-3)
     assert pixels.unit == "px"
     assert np.array_equal(pixels.x, np.rint(pixels.x))
+
+
+def test_somebody_is_told_how_far_the_track_is() -> None:
+    told: list[tuple[int, int]] = []
+    kp.tracks.synthesise(MOTION, 20.0, 30.0, done=lambda *far: told.append(far))
+    taken = [some for some, _ in told]
+    assert taken == sorted(set(taken))
+    assert {total for _, total in told} == {601}
+    assert (taken[0], taken[-1]) == (13, 601)

@@ -9,6 +9,7 @@ from kugelpendel.observables._ellipse import ellipse as ellipse
 from kugelpendel.observables._ellipse import osculating_ellipse as osculating_ellipse
 from kugelpendel.observables._measured import Rates as Rates
 from kugelpendel.observables._measured import measured_rates as measured_rates
+from kugelpendel.observables._pieces import Told as Told
 from kugelpendel.observables._portrait import Equilibrium as Equilibrium
 from kugelpendel.observables._portrait import Orbit as Orbit
 from kugelpendel.observables._portrait import Portrait as Portrait

@@ -21,6 +21,7 @@ from kugelpendel.motion import (
     SeriesMotion,
 )
 from kugelpendel.observables._measured import Rates, measured_rates
+from kugelpendel.observables._pieces import Told
 from kugelpendel.observables._validity import ORDERS
 from kugelpendel.parameters import InvalidInput, Launch, Numbers, Pendulum, one_number
 
@@ -29,9 +30,6 @@ _SWINGS = 20
 
 _MOST_SWINGS = 20_000
 """Longer comparisons are refused: two of the motions are integrated step by step."""
-
-_PIECES = 50
-"""Pieces of a motion that is integrated, after each of which somebody is told."""
 
 
 @dataclass(frozen=True)
@@ -172,7 +170,7 @@ def compare(
     ]
     times = _times(exact, duration)
     truth = exact.sample(0.0, float(times[1]), len(times))
-    told = _Told(done, len(times) * sum(rung.rates is measured_rates for rung in rungs))
+    told = Told(done, len(times) * sum(rung.rates is measured_rates for rung in rungs))
     return Comparison(
         exact=exact,
         times=times,
@@ -223,34 +221,15 @@ def _times(exact: ExactMotion, duration: float | None) -> Numbers:
     return span / (count - 1) * np.arange(count, dtype=np.float64)
 
 
-@dataclass
-class _Told:
-    """Who is told of the work, how much there is, and how much of it is done."""
-
-    done: Callable[[int, int], None] | None
-    total: int
-    taken: int = 0
-
-    def of(self, count: int) -> None:
-        """Say that so many more positions are worked out."""
-        self.taken += count
-        if self.done is not None:
-            self.done(self.taken, self.total)
-
-
-def _positions(motion: Motion, times: Numbers, told: _Told) -> Numbers:
+def _positions(motion: Motion, times: Numbers, told: Told) -> Numbers:
     """Positions at evenly spread times from 0 on, m: (n, 3)."""
-    if not isinstance(motion, CubicMotion | PlaneMotion):
-        return motion.sample(0.0, float(times[1]), len(times))
-    found: list[Numbers] = []
-    for piece in np.array_split(times, _PIECES):
-        found.append(motion.position(piece))
-        told.of(len(piece))
-    return np.concatenate(found)
+    if isinstance(motion, CubicMotion | PlaneMotion):
+        return told.positions(motion, times)
+    return motion.sample(0.0, float(times[1]), len(times))
 
 
 def _compared(
-    rung: _Rung, exact: ExactMotion, times: Numbers, truth: Numbers, told: _Told
+    rung: _Rung, exact: ExactMotion, times: Numbers, truth: Numbers, told: Told
 ) -> Compared:
     row = Compared(rung.name, rung.equation)
     with warnings.catch_warnings(record=True) as caught:

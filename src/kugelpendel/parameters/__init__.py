@@ -13,6 +13,7 @@ from kugelpendel.parameters._forces import require_given as require_given
 from kugelpendel.parameters._forces import unfit_parts as unfit_parts
 from kugelpendel.parameters._given import Given as Given
 from kugelpendel.parameters._given import require_type as require_type
+from kugelpendel.parameters._given import wrong_type as wrong_type
 from kugelpendel.parameters._launch import Launch as Launch
 from kugelpendel.parameters._numbers import Numbers as Numbers
 from kugelpendel.parameters._numbers import OneNumber as OneNumber

@@ -152,12 +152,12 @@ def require_type(what: str, given: object, *wanted: type, way_out: str = "") -> 
     way_out
         What to write; a call of the first class unless given.
     """
-    if isinstance(given, wanted):
-        return
-    raise InvalidInput.of(
-        "wrong_type",
-        what=what,
-        wanted=" or ".join(f"kugelpendel.{kind.__name__}" for kind in wanted),
-        seen=f"{given!r:.60} of type {type(given).__name__}",
-        way_out=way_out or f"write kp.{wanted[0].__name__}(…)",
-    )
+    if not isinstance(given, wanted):
+        names = " or ".join(f"kugelpendel.{kind.__name__}" for kind in wanted)
+        raise wrong_type(what, given, names, way_out or f"write kp.{wanted[0].__name__}(…)")
+
+
+def wrong_type(what: str, given: object, wanted: str, way_out: str) -> InvalidInput:
+    """The error for what was given in place of what is wanted, both in words."""
+    seen = f"{given!r:.60} of type {type(given).__name__}"
+    return InvalidInput.of("wrong_type", what=what, wanted=wanted, seen=seen, way_out=way_out)

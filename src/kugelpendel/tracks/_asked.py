@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from kugelpendel.errors import InvalidInput
-from kugelpendel.parameters import one_number, require_type
+from kugelpendel.parameters import one_number, require_type, wrong_type
 from kugelpendel.tracks._track import Track
 
 _READ_ONE = "read one with kugelpendel.tracks.read(path)"
@@ -21,8 +20,7 @@ def require(is_right: bool, what: str, given: object, wanted: str, way_out: str)
         For the sentence: what was asked, the type that it has to be, and what to write.
     """
     if not is_right:
-        seen = f"{given!r:.60} of type {type(given).__name__}"
-        raise InvalidInput.of("wrong_type", what=what, wanted=wanted, seen=seen, way_out=way_out)
+        raise wrong_type(what, given, wanted, way_out)
 
 
 def require_track(given: Any) -> None:

@@ -7,7 +7,7 @@ from typing import Protocol
 import numpy as np
 
 from kugelpendel.errors import InvalidInput
-from kugelpendel.parameters import Numbers, as_array
+from kugelpendel.parameters import Numbers, as_array, wrong_type
 
 
 class _Timed(Protocol):
@@ -34,9 +34,7 @@ def keep_columns(recording: _Timed, *names: str) -> None:
         that are not finite, times that do not ascend, and a unit that is no text.
     """
     if not isinstance(recording.unit, str):  # pyright: ignore[reportUnnecessaryIsInstance]
-        seen = f"{recording.unit!r:.60} of type {type(recording.unit).__name__}"
-        way_out = 'write "m", for instance'
-        raise InvalidInput.of("wrong_type", what="unit", wanted="text", seen=seen, way_out=way_out)
+        raise wrong_type("unit", recording.unit, "text", 'write "m", for instance')
     shape = np.shape(as_array(recording.time, "time", "s"))
     for name in ("time", *names):
         unit = {"time": "s", "azimuth": "rad"}.get(name, recording.unit)

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from kugelpendel.errors import InvalidInput
 from kugelpendel.motion import Motion
+from kugelpendel.observables import Told
 from kugelpendel.parameters import Numbers, as_array, one_number, require_type
 from kugelpendel.tracks._asked import require, require_listener, whole
 from kugelpendel.tracks._scipy import first_order
@@ -21,9 +22,6 @@ _FAR = 50.0
 """Outliers lie up to so many times the noise away, and at least ten."""
 
 _MOST = 50_000_000
-
-_PIECES = 50
-"""Pieces of a track, after each of which somebody is told."""
 
 
 def synthesise(
@@ -79,7 +77,7 @@ def synthesise(
     seed
         The same one gives the same track.
     done
-        Told, now and then, how many of how many stretches are followed.
+        Told, now and then, how many of how many positions are worked out.
 
     Raises
     ------
@@ -124,7 +122,7 @@ def synthesise(
     keep = np.ones(count, dtype=bool)
     for begin, length in _stretches(gaps):
         keep &= (time < begin) | (time >= begin + length)
-    place = _positions(motion, start + time, done)
+    place = Told(done, count).positions(motion, start + time)
     z: NDArray[np.complex128] = place[:, 0] + 1j * place[:, 1]
     z = z - 0.5 * tilt * np.exp(2j * tilt_axis) * z.conj()
     spoilt = np.stack([_noise(random, colour, time, rate) for _ in range(2)])
@@ -146,16 +144,6 @@ def _stretches(gaps: ArrayLike) -> Numbers:
     way_out = "write [(start, length), …] in s"
     require(is_right, "gaps", gaps, "list of pairs of numbers", way_out)
     return pairs.reshape(-1, 2)
-
-
-def _positions(motion: Motion, time: Numbers, done: Callable[[int, int], None] | None) -> Numbers:
-    """Positions at times in order, (n, 3), in pieces."""
-    found: list[Numbers] = []
-    for piece in np.array_split(time, _PIECES):
-        found.append(motion.position(piece))
-        if done is not None:
-            done(len(found), _PIECES)
-    return np.concatenate(found)
 
 
 def _noise(random: np.random.Generator, colour: Colour, time: Numbers, rate: float) -> Numbers:
