@@ -3,8 +3,8 @@
 import { drawBrass, drawHollow } from "./brass";
 import { FLOOR, type Camera, type Point } from "./camera";
 import { trace } from "./floor";
-import { faded } from "./ink";
-import { FADE_STEPS, placed, type Scene, type SceneRenderer, type Strand } from "./scene";
+import { placed, type Scene, type SceneRenderer, type Strand } from "./scene";
+import { drawWay } from "./way";
 
 export class FlatRenderer implements SceneRenderer {
   private readonly context: CanvasRenderingContext2D;
@@ -79,32 +79,9 @@ function drawThreads(context: CanvasRenderingContext2D, scene: Scene): void {
 }
 
 function drawStrand(context: CanvasRenderingContext2D, scene: Scene, strand: Strand): void {
-  const { ring, points } = strand;
-  const count = ring ? ring.count : strand.count;
-  if (count < 2) return;
-  const capacity = ring ? ring.capacity : count;
-  const last = ring ? ring.head : count - 1;
-  const pixel = (age: number): { x: number; y: number } => {
-    const base = 3 * ((last - age + capacity) % capacity);
-    const [x, y, height] = [points[base] ?? 0, points[base + 1] ?? 0, points[base + 2] ?? 0];
-    const [px, py, pz] = placed(x, y, height, strand.stretch);
-    return scene.camera.project([px, py, strand.onFloor ? FLOOR : pz]);
-  };
-  context.lineWidth = strand.width;
-  context.lineCap = strand.dash[0] !== undefined && strand.dash[0] < 1 ? "round" : "butt";
-  context.setLineDash([...strand.dash]);
-  const steps = strand.alpha[0] === strand.alpha[1] ? 1 : FADE_STEPS;
-  for (let step = steps - 1; step >= 0; step--) {
-    const [from, to] = [Math.floor((step * (count - 1)) / steps), Math.floor(((step + 1) * (count - 1)) / steps)];
-    const share = steps === 1 ? 0 : step / (steps - 1);
-    context.strokeStyle = faded(strand.color, strand.alpha[0] + (strand.alpha[1] - strand.alpha[0]) * share);
-    context.beginPath();
-    for (let age = to; age >= from; age--) {
-      const { x, y } = pixel(age);
-      if (age === to) context.moveTo(x, y);
-      else context.lineTo(x, y);
-    }
-    context.stroke();
-  }
-  context.setLineDash([]);
+  drawWay(context, strand, strand.width, (...at) => {
+    const [px, py, pz] = placed(...at, strand.stretch);
+    const { x, y } = scene.camera.project([px, py, strand.onFloor ? FLOOR : pz]);
+    return [x, y];
+  });
 }

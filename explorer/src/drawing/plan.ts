@@ -3,8 +3,9 @@
 import { DEGREE } from "../numbers/ladders";
 import { drawBrass, drawHollow } from "./brass";
 import { faded, type Ink } from "./ink";
-import { FADE_STEPS, type Strand } from "./scene";
+import type { Strand } from "./scene";
 import type { Stroke } from "./strokes";
+import { drawWay } from "./way";
 
 export interface Squeeze {
   /** Azimuth of the long axis, rad, and how many times the width is drawn. */
@@ -74,7 +75,7 @@ export function drawPlan(context: CanvasRenderingContext2D, plan: Plan, size: nu
   // Lines say their own width: what is stretched along one axis is the way of the bob alone.
   const whole = placer({ ...plan, squeeze: null }, size);
   for (const line of plan.lines) drawLine(context, line, whole, plan);
-  for (const strand of plan.strands) if (!strand.onFloor) drawWay(context, strand, place);
+  for (const strand of plan.strands) if (!strand.onFloor) drawWay(context, strand, 0.9 * strand.width, place);
   for (const bob of plan.bobs) {
     const [x, y] = place(bob.x, bob.y);
     if (bob.ring) drawHollow(context, x, y, 0.62 * plan.bob, plan.ink, bob.ring, 2.2);
@@ -154,31 +155,4 @@ function drawLine(context: CanvasRenderingContext2D, line: PlanLine, place: Plac
     context.arc(x, y, 3.2, 0, 2 * Math.PI);
     context.fill();
   }
-}
-
-function drawWay(context: CanvasRenderingContext2D, strand: Strand, place: Place): void {
-  const { ring, points } = strand;
-  const count = ring ? ring.count : strand.count;
-  if (count < 2) return;
-  const capacity = ring ? ring.capacity : count;
-  const last = ring ? ring.head : count - 1;
-  context.lineWidth = 0.9 * strand.width;
-  context.lineCap = strand.dash[0] !== undefined && strand.dash[0] < 1 ? "round" : "butt";
-  context.setLineDash([...strand.dash]);
-  const steps = strand.alpha[0] === strand.alpha[1] ? 1 : FADE_STEPS;
-  for (let step = steps - 1; step >= 0; step--) {
-    const [from, to] = [Math.floor((step * (count - 1)) / steps), Math.floor(((step + 1) * (count - 1)) / steps)];
-    const share = steps === 1 ? 0 : step / (steps - 1);
-    context.strokeStyle = faded(strand.color, strand.alpha[0] + (strand.alpha[1] - strand.alpha[0]) * share);
-    context.beginPath();
-    for (let age = to; age >= from; age--) {
-      const base = 3 * ((last - age + capacity) % capacity);
-      const [x, y] = place(points[base] ?? 0, points[base + 1] ?? 0);
-      if (age === to) context.moveTo(x, y);
-      else context.lineTo(x, y);
-    }
-    context.stroke();
-  }
-  context.setLineDash([]);
-  context.lineCap = "butt";
 }
