@@ -356,8 +356,7 @@ class Motion(ABC, Generic[Scalar_co]):
     ) -> Numbers:
         """Events of a single motion: here on a grid of its own states."""
         point = self.effective_pendulum
-        step = np.pi / (_GRID * float(point.angular_frequency))
-        require_told(between, step)
+        step = event_step(between, float(point.angular_frequency))
         pendulum = [float(number) for number in point.values]
         return _core.events_on_a_grid(
             self._states, kind, value, between, self.span, step, most, pendulum
@@ -372,8 +371,12 @@ def _again(make: type[Motion], arguments: dict[str, Any]) -> Motion:
     return make(**arguments)
 
 
-def require_told(between: tuple[float, float], step: float) -> None:
-    """Raise InvalidInput where the times of an interval are farther apart than a step, all in s."""
+def event_step(between: tuple[float, float], omega0: float) -> float:
+    """A time, s, in which nothing happens twice: a 24th of a small half swing.
+
+    Raises InvalidInput where the times of the interval are farther apart than that.
+    """
+    step = np.pi / (_GRID * omega0)
     far = max(between, key=abs)
     apart = float(np.spacing(abs(far)))
     if apart > step:
@@ -381,3 +384,4 @@ def require_told(between: tuple[float, float], step: float) -> None:
             f"At {far:.6g} s times are known to {apart:.2g} s only, in which more than one event "
             f"happens; ask for earlier times."
         )
+    return step

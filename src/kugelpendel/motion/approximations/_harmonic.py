@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kugelpendel import _core
-from kugelpendel.motion._base import Motion, require_told
+from kugelpendel.motion._base import Motion, event_step
 from kugelpendel.motion._kept import kept
 from kugelpendel.motion._times import checked_grid, checked_times, motion_shape
 from kugelpendel.parameters import (
@@ -111,5 +111,5 @@ class HarmonicMotion(Motion[Scalar_co]):
     def _find_events(
         self, kind: str, value: float, between: tuple[float, float], most: int
     ) -> Numbers:
-        require_told(between, 0.1 / float(self.pendulum.angular_frequency))
+        event_step(between, float(self.pendulum.angular_frequency))  # raises
         return self._motions.events(kind, value, between, most)
