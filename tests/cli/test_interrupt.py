@@ -43,7 +43,7 @@ phase = 0.4
 """
 
 COMMANDS = {
-    "run": (["run"], JOB.format(forces="", duration="1000 h", step="10 ms")),
+    "run": (["run"], JOB.format(forces="", duration="250 h", step="10 ms")),
     "run real": (["run"], JOB.format(forces=DRAG, duration="1e6 h", step="100 s")),
     "compare": (["compare"], JOB.format(forces="", duration="40000 s", step="1 s")),
     "design": (["design"], DESIGN),
@@ -77,6 +77,11 @@ CALLS = {
 DELAYS = (0.3, 1.2)
 """s after the start of the work; a call that is over sooner begins again."""
 
+NOTICED = 0.2
+"""s after which somebody notices that nothing has happened."""
+
+ATTEMPTS = 6
+
 
 @pytest.mark.parametrize("delay", DELAYS)
 @pytest.mark.parametrize("name", CALLS)
@@ -84,9 +89,7 @@ def test_a_call_is_interrupted(name: str, delay: float) -> None:
     setting = SETTING.format(n=10**6 if name == "exacts" else 1000)
     code = f"{setting}print(flush=True)\nwhile True:\n    {CALLS[name]}"
     command = [sys.executable, "-c", code]
-    said, late = interrupted(command, delay, Path.cwd())
-    assert "KeyboardInterrupt" in said
-    assert late < noticed()
+    assert "KeyboardInterrupt" in interrupted(command, delay, Path.cwd())
 
 
 @pytest.mark.parametrize("delay", DELAYS)
@@ -100,18 +103,31 @@ def test_a_command_is_interrupted(name: str, delay: float, tmp_path: Path) -> No
         "import sys, kugelpendel.__main__ as door\nfrom kugelpendel.cli import main\n"
         f"sys.argv[1:] = {words!r}\nprint(flush=True)\ndoor.run()"
     )
-    said, late = interrupted([sys.executable, "-c", code], delay, tmp_path)
+    said = interrupted([sys.executable, "-c", code], delay, tmp_path)
     kept = (
         r"(interrupted; no file is left half-written|interrupted after .* in out/job-interrupted)"
     )
     assert re.search(f"^kugelpendel: {kept}", said, re.MULTILINE), said
-    assert late < noticed()
     # A folder with what is done so far has its manifest, as every folder that a command fills.
     manifest = {".kugelpendel.json"} if "in out/job-interrupted" in said else set[str]()
     assert {path.name for path in tmp_path.rglob(".kugelpendel*")} == manifest
 
 
-def interrupted(command: list[str], delay: float, folder: Path) -> tuple[str, float]:
+def interrupted(command: list[str], delay: float, folder: Path) -> str:
+    """What a process says that is interrupted so long after its first line, within `NOTICED`.
+
+    What else the machine does can hold up an answer; what the command does holds up every one.
+    """
+    answers = (interrupted_once(command, delay, folder) for _ in range(ATTEMPTS))
+    lates = list[float]()
+    for said, late in answers:
+        lates.append(late)
+        if late < NOTICED:
+            return said
+    raise AssertionError(f"said after {lates} s at best, {NOTICED} s asked: {command}")
+
+
+def interrupted_once(command: list[str], delay: float, folder: Path) -> tuple[str, float]:
     """Interrupt a process so long after its first line: what it said, and s until it said it."""
     process = subprocess.Popen(
         command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=folder, bufsize=0
@@ -136,9 +152,3 @@ def interrupted(command: list[str], delay: float, folder: Path) -> tuple[str, fl
 def waiting(stream: IO[bytes], patience: float) -> bool:
     """Whether there is something to read within so many seconds."""
     return bool(select.select([stream], [], [], patience)[0])
-
-
-def noticed() -> float:
-    """A fifth of a second, and more where the processors have more to do than one thing each."""
-    queue = os.getloadavg()[0] / (os.cpu_count() or 1)
-    return 0.2 + 0.3 * max(0.0, queue - 1.0)

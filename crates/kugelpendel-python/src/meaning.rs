@@ -8,8 +8,8 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::f64::consts::PI;
 
-/// So many ellipses are found sooner than anyone could wish to stop it.
-const FEW: usize = 4096;
+/// Ellipses that are found between two looks at whether a signal has come; an exact motion is solved for each.
+const ELLIPSES_TOGETHER: usize = 1 << 14;
 
 /// The event of this name; the value is the azimuth in rad or the radius in m where it takes one.
 pub(crate) fn event(kind: &str, value: f64) -> PyResult<Event> {
@@ -84,15 +84,16 @@ pub(crate) fn osculating_ellipses<'py>(
     let (axes, azimuth) = py.detach(|| {
         let case = |index: usize| {
             let [length, gravity, mass, rotation] = columns.row(index / times.len());
-            // Nobody solves a bad case, so what is left after a signal is soon over.
-            let length = if signal.has_arrived() { f64::NAN } else { length };
-            let pendulum = Pendulum { length, gravity, mass };
-            (pendulum, triple(positions, index), triple(velocities, index), rotation)
+            (Pendulum { length, gravity, mass }, triple(positions, index), triple(velocities, index), rotation)
         };
-        let ellipses = match size {
-            0..=FEW => Ellipse::osculating(size, case),
-            _ => signal.watch(|| Ellipse::osculating(size, case)),
-        };
+        let mut ellipses = Vec::with_capacity(size);
+        for first in (0..size).step_by(ELLIPSES_TOGETHER) {
+            let together = ELLIPSES_TOGETHER.min(size - first);
+            ellipses.extend(Ellipse::osculating(together, |index| case(first + index)));
+            if signal.ends_work() {
+                return Default::default();
+            }
+        }
         let mut azimuths: Vec<f64> = ellipses.iter().map(|ellipse| ellipse.azimuth).collect();
         if !times.is_empty() {
             azimuths.chunks_exact_mut(times.len()).for_each(|row| kugelpendel::unwrap_at(times, row, PI));

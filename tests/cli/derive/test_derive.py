@@ -328,4 +328,5 @@ def test_a_check_is_interrupted_at_once() -> None:
         _, err = process.communicate(timeout=60)
         assert time.monotonic() - sent < 3
     assert process.returncode == 130
-    assert err == "kugelpendel: interrupted; no file is left half-written.\n"
+    # A slow machine is told first how long it takes.
+    assert err.endswith("kugelpendel: interrupted; no file is left half-written.\n")
