@@ -35,6 +35,10 @@ impl Circles {
         [(self.ahead * others.ahead.conj()).arg(), (self.behind * others.behind.conj()).arg()]
     }
 
+    pub(super) fn sizes(&self) -> [f64; 2] {
+        [self.p, self.q]
+    }
+
     pub(super) fn actions(&self) -> [f64; 2] {
         [self.p * self.p, self.q * self.q]
     }

@@ -159,6 +159,20 @@ impl<T: Real + Mean> ClosedForm<T> {
         })
     }
 
+    /// x + iy in the turning frame, where e^{iΘ} is given, of harmonics that `plain` makes of these.
+    #[inline(always)]
+    pub(super) fn place(&self, turn: Complex64, plain: impl Fn(T) -> f64) -> Complex64 {
+        let square = turn * turn;
+        let mut turn = turn;
+        let mut place = Complex64::ZERO;
+        for (_, ahead, behind) in self.harmonics() {
+            let (ahead, behind) = (plain(ahead), plain(behind));
+            place += Complex64::new((ahead + behind) * turn.re, (ahead - behind) * turn.im);
+            turn *= square;
+        }
+        place
+    }
+
     /// The same with each number mapped.
     #[inline(always)]
     pub(super) fn map<U: Copy>(&self, f: impl Fn(T) -> U) -> ClosedForm<U> {
@@ -175,32 +189,6 @@ impl<T: Real + Mean> ClosedForm<T> {
 }
 
 impl ClosedForm<f64> {
-    /// That of slightly other x and y: by the derivatives of one beside it, where ln x and ln y grow by `step`.
-    pub(super) fn stepped(&self, beside: &ClosedForm<Dual>, step: [f64; 2]) -> Self {
-        let after = |value: f64, slopes: Dual| Dual { value, ..slopes }.after(step);
-        let all = |values: [f64; PAIRS], slopes: &[Dual; PAIRS]| std::array::from_fn(|k| after(values[k], slopes[k]));
-        Self {
-            frequency: after(self.frequency, beside.frequency),
-            precession: after(self.precession, beside.precession),
-            ahead: all(self.ahead, &beside.ahead),
-            behind: all(self.behind, &beside.behind),
-            nome: after(self.nome, beside.nome),
-            ..*self
-        }
-    }
-
-    /// x + iy in the turning frame, where e^{iΘ} is given.
-    pub(super) fn place(&self, turn: Complex64) -> Complex64 {
-        let square = turn * turn;
-        let mut turn = turn;
-        let mut place = Complex64::ZERO;
-        for (_, ahead, behind) in self.harmonics() {
-            place += Complex64::new((ahead + behind) * turn.re, (ahead - behind) * turn.im);
-            turn *= square;
-        }
-        place
-    }
-
     /// The zero-mean integral of 2(x + iy)z' over time, where e^{iΘ} is given and z counts downwards: what a horizontal
     /// rotation takes from the angular momentum in a swing and gives back.
     pub(super) fn swayed(&self, turn: Complex64) -> Complex64 {

@@ -355,15 +355,15 @@ impl EnvelopeMotion {
         let depth = |place: Complex64| (1.0 - place.norm_sqr()).sqrt();
         match quantity {
             Quantity::Position => {
-                let moved = placed.and_then(|placed| swing.moved_form(circles.actions(), placed.actions()));
-                let place = direction * moved.unwrap_or_else(|| swing.form.values()).place(turn);
+                let moved = placed.and_then(|placed| swing.place_after(circles.sizes(), placed.sizes(), turn));
+                let place = direction * moved.unwrap_or_else(|| swing.form.place(turn, |harmonic| harmonic.value));
                 [length * place.re, length * place.im, length * depth(place)]
             }
             Quantity::Velocity => {
                 let moved = placed.and_then(|placed| swing.moved(circles.actions(), placed.actions()));
                 let (circles, swing) = (placed.as_ref().unwrap_or(circles), moved.as_ref().unwrap_or(swing));
                 let form = swing.form.values();
-                let place = direction * form.place(turn);
+                let place = direction * form.place(turn, |harmonic| harmonic);
                 let rate = direction * (form.velocity(turn) + self.equations.drift(circles, swing, phase));
                 let sinking = -(place.conj() * rate).re / depth(place);
                 [rate.re, rate.im, sinking].map(|v| v * length * self.omega0)

@@ -6,6 +6,7 @@
 
 use super::closed_form::ClosedForm;
 use crate::numbers::dual::Dual;
+use num_complex::Complex64;
 
 /// Below this size a swing has no amplitude to speak of, and squares of its nome underflow.
 pub(super) const SMALLEST: f64 = 1e-18;
@@ -16,8 +17,11 @@ pub(super) const ROUNDEST: f64 = 1e-32;
 /// Relative corrections below this are applied to first order; the second is then lost in rounding.
 const SMALL: f64 = 5e-8;
 
-/// Up to this relative change derivatives need not be taken anew: what is left out is of its third order.
-const MOVED: f64 = 5e-6;
+/// What may be left out of a place, in l, where a swing is followed along its derivatives.
+const ROUNDING: f64 = 1e-16;
+
+/// Higher swings, of which derivatives grow without bound, are not followed along these.
+const NEAR_SUPPORT: f64 = 0.99;
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Swing {
@@ -59,26 +63,22 @@ impl Swing {
         Self::near(to, [self.x * factor(self.inverse[0]), self.y * factor(self.inverse[1])])
     }
 
-    /// The closed form of slightly other actions than these, without derivatives: found by those of this swing, as places
-    /// are read by the hundred thousand.
-    pub(super) fn moved_form(&self, from: [f64; 2], to: [f64; 2]) -> Option<ClosedForm<f64>> {
-        let moved = || Some(self.moved(from, to)?.form.values());
-        let floor = ROUNDEST * (from[0] + from[1]);
-        if self.is_harmonic || from[0] + from[1] < SMALLEST {
-            return moved();
+    /// Where the bob is on the swing of slightly other circular amplitudes √X, √Y than these: x + iy in the turning frame,
+    /// where e^{iΘ} is given. None where it would come level with the support.
+    ///
+    /// Along the swing's own derivatives as far as these go, as places are read by the hundred thousand. Harmonics are
+    /// linear in the amplitudes but for a share of their squares, x + y, so that a relative step leaves out its square
+    /// times (x + y)^{3/2}.
+    pub(super) fn place_after(&self, from: [f64; 2], to: [f64; 2], turn: Complex64) -> Option<Complex64> {
+        let grown: [f64; 2] = std::array::from_fn(|k| 2.0 * (to[k] / from[k] - 1.0));
+        let step = self.inverse.map(|[first, second]| first * grown[0] + second * grown[1]);
+        let largest = step[0].abs().max(step[1].abs());
+        let size = self.x + self.y;
+        if largest * largest * size * size.sqrt() < ROUNDING && top(self.x, self.y) < NEAR_SUPPORT {
+            return Some(self.form.place(turn, |harmonic| harmonic.after(step)));
         }
-        let [from, to] = [from, to].map(|actions| actions.map(|action| action.max(floor)));
-        let step = |missing: [f64; 2]| self.inverse.map(|[first, second]| first * missing[0] + second * missing[1]);
-        let largest = |step: [f64; 2]| step[0].abs().max(step[1].abs());
-        let away = step([to[0] / from[0] - 1.0, to[1] / from[1] - 1.0]);
-        let (x, y) = (self.x * (1.0 + away[0]), self.y * (1.0 + away[1]));
-        if largest(away) > MOVED {
-            return moved();
-        }
-        let form = ClosedForm::of(x, y);
-        let [first, second] = form.actions();
-        let rest = step([to[0] / first - 1.0, to[1] / second - 1.0]);
-        (top(x, y) < 1.0).then(|| form.stepped(&self.form, rest))
+        let squares = |sizes: [f64; 2]| sizes.map(|size| size * size);
+        Some(self.moved(squares(from), squares(to))?.form.place(turn, |harmonic| harmonic.value))
     }
 
     /// By Newton's method from a guess of x and y.

@@ -51,6 +51,27 @@ fn rates_are_those_of_the_closed_form() {
 }
 
 #[test]
+fn places_after_a_step_are_those_of_the_swing_there() {
+    for a in RADII {
+        for share in SHARES {
+            let from = form(a, a * share).actions();
+            let Some(swing) = Swing::of(from) else { unreachable!("{a}, {share}") };
+            for step in [1e-3, 1e-6, 1e-7, 1e-9, 0.0] {
+                let to = [from[0] * (1.0 - step), from[1] * (1.0 - 0.3 * step)];
+                let Some(there) = Swing::of(to) else { unreachable!("{a}, {share}, {step}") };
+                for phase in [0.0, 0.7, 2.5] {
+                    let turn = Complex64::cis(phase);
+                    let found = swing.place_after(from.map(f64::sqrt), to.map(f64::sqrt), turn);
+                    let expected = there.form.place(turn, |harmonic| harmonic.value);
+                    let error = found.map_or(f64::NAN, |found| (found - expected).norm());
+                    assert!(error <= 2e-15 * a.sqrt(), "{a}, {share}, {step}, {phase}: off by {error}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn places_and_velocities_are_those_of_the_exact_motion() {
     for a in RADII {
         for share in SHARES {
@@ -59,9 +80,10 @@ fn places_and_velocities_are_those_of_the_exact_motion() {
             for time in [0.0, 0.4, 1.7, 2.9] {
                 let turn = Complex64::cis(ideal.frequency * time);
                 let frame = Complex64::cis(ideal.precession * time);
-                for (found, quantity) in
-                    [(ideal.place(turn), Quantity::Position), (ideal.velocity(turn), Quantity::Velocity)]
-                {
+                for (found, quantity) in [
+                    (ideal.place(turn, |harmonic| harmonic), Quantity::Position),
+                    (ideal.velocity(turn), Quantity::Velocity),
+                ] {
                     let mut expected = [0.0; 3];
                     motion.fill(quantity, Times::Scattered(&[time]), &mut expected);
                     let found = frame * found;
