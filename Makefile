@@ -62,7 +62,7 @@ bench: $(STAMPS)/package $(STAMPS)/bench $(STAMPS)/page  ## every speed ratio ag
 	$(BIN)/python benchmarks/run.py --write docs/benchmarks.md
 
 tables: $(STAMPS)/package  ## what a job file may say, from its schema into README.md and docs
-	$(BIN)/python docs/job_files.py
+	$(BIN)/python docs/scripts/job_files.py
 
 study: $(STAMPS)/package $(STAMPS)/check  ## how often intervals of fitted tracks and bounds of averaged motions hold; an hour
 	nice $(BIN)/python -m studies.tracks --write docs/tracks.md

@@ -84,7 +84,7 @@ def test_links_lead_somewhere(readme: str, repository: Path) -> None:
 def test_picture_is_drawn_by_its_command(repository: Path, tmp_path: Path) -> None:
     import runpy
 
-    script = runpy.run_path(str(repository / "docs/picture.py"))
+    script = runpy.run_path(str(repository / "docs/scripts/picture.py"))
     script["draw"](tmp_path / "picture.svg")
     drawn = (tmp_path / "picture.svg").read_text(encoding="utf-8")
     stored = (repository / "docs/laboratory.svg").read_text(encoding="utf-8")

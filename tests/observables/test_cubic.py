@@ -17,7 +17,7 @@ _POINTS = 400
 
 @pytest.fixture(scope="module")
 def page(repository: Path) -> dict:
-    return runpy.run_path(str(repository / "docs/motions.py"))
+    return runpy.run_path(str(repository / "docs/scripts/motions.py"))
 
 
 def by_quadrature(a: float, b: float) -> tuple[Any, Any]:

@@ -17,7 +17,7 @@ def page(repository: Path) -> str:
 
 @pytest.fixture(scope="module")
 def command(repository: Path) -> dict[str, Any]:
-    return runpy.run_path(str(repository / "docs/convergence.py"))
+    return runpy.run_path(str(repository / "docs/scripts/convergence.py"))
 
 
 def test_formulas_are_the_ones_derived(page: str, command: dict[str, Any]) -> None:

@@ -92,8 +92,8 @@ class EnvelopeMotion(ForcedMotion[Scalar_co]):
     Semi-axes are the turning radii of the mean motion. A drive's pushes and the horizontal part of
     the Earth's rotation come and go within a swing, about that mean; but for these, place and
     velocity at t = 0 are those of the launch. What is left out is of second order in the forces;
-    `trust` says how far the azimuth may be off over a day; docs/averaging.py measures it force by
-    force, studies/mixtures.py for mixtures of them.
+    `trust` says how far the azimuth may be off over a day; docs/scripts/averaging.py measures it
+    force by force, studies/mixtures.py for mixtures of them.
     Sources: the averages are in docs/conventions.md; Olsson (1981), eq. (25), (26).
     """
 

@@ -4,7 +4,6 @@
 # pyright: reportUnknownMemberType=false
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 import matplotlib as mpl
@@ -14,13 +13,12 @@ from matplotlib.ticker import MaxNLocator
 from kugelpendel.builder import Design
 from kugelpendel.parameters import require_type
 from kugelpendel.plot import _ink
-from kugelpendel.spelling import significant, spell, spell_rate, unit_for
+from kugelpendel.spelling import hourly, significant, spell, spell_rate, unit_for
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-_HOURLY = math.degrees(1) * 3600  # °/h in a rad/s
 
 _NAMES = {
     "earth": "Earth, $−Ω_z$",
@@ -75,15 +73,15 @@ def _draw_rates(axes: Axes, found: Design) -> None:
     for row, (_, rate) in enumerate(bars):
         colour = _ink.TEXT if row == len(bars) - 1 else _ink.INNER
         if abs(rate) > _SEEN * reach:
-            axes.barh(row, rate * _HOURLY, height=0.55, color=colour)
+            axes.barh(row, hourly(rate), height=0.55, color=colour)
         _write(axes, row, rate, spell_rate(rate, 4) if rate else "0", left=rate < 0)
     for row, (_, slow, fast) in enumerate(spans, start=len(bars)):
-        low, high = sorted((slow * _HOURLY, fast * _HOURLY))
-        if high - low > _SEEN * reach * _HOURLY:
+        low, high = sorted((hourly(slow), hourly(fast)))
+        if high - low > _SEEN * hourly(reach):
             axes.barh(row, high - low, left=low, height=0.55, color=_ink.OUTER)
         else:
             axes.plot((low + high) / 2, row, "d", color=_ink.OUTER, markersize=7)
-        text = " to ".join(significant(value * _HOURLY, 4) for value in (slow, fast))
+        text = " to ".join(significant(hourly(value), 4) for value in (slow, fast))
         _write(axes, row, max(slow, fast), f"{text} °/h", left=False)
     axes.set_yticks(range(len(bars) + len(spans)), [name for name, *_ in (*bars, *spans)])
     axes.tick_params(axis="y", length=0)
@@ -91,7 +89,7 @@ def _draw_rates(axes: Axes, found: Design) -> None:
     axes.axvline(0, color=_ink.QUIET, linewidth=0.8)
     axes.invert_yaxis()
     low, high = axes.get_xlim()
-    room = 0.3 * max(reach * _HOURLY, high - low)
+    room = 0.3 * max(hourly(reach), high - low)
     axes.set_xlim(low - (room if low < 0 else 0), high + room)
     axes.xaxis.set_major_locator(MaxNLocator(7, steps=[1, 2, 2.5, 5, 10]))
     axes.set(title="What turns the swing", xlabel="rate (°/h), counter-clockwise from above")
@@ -111,7 +109,7 @@ def _write(axes: Axes, row: int, end: float, text: str, *, left: bool) -> None:
     """Beside the end of a bar, rad/s."""
     axes.annotate(
         text,
-        (end * _HOURLY, row),
+        (hourly(end), row),
         (-5 if left else 5, 0),
         textcoords="offset points",
         ha="right" if left else "left",

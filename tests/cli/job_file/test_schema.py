@@ -18,7 +18,7 @@ SECTIONS = {section.name: section for file in FILES for section in file.sections
 def test_pages_have_the_tables_of_the_schema(repository: Path) -> None:
     import runpy
 
-    script = runpy.run_path(str(repository / "docs/job_files.py"))
+    script = runpy.run_path(str(repository / "docs/scripts/job_files.py"))
     assert sorted(script["PAGES"]) == ["README.md", "docs/design.md", "docs/real.md"]
     for name, table in script["PAGES"].items():
         page = (repository / name).read_text(encoding="utf-8")

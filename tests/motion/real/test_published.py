@@ -17,7 +17,7 @@ def page(repository: Path) -> str:
 
 @pytest.fixture(scope="module")
 def command(repository: Path) -> dict[str, Any]:
-    return runpy.run_path(str(repository / "docs/real.py"))
+    return runpy.run_path(str(repository / "docs/scripts/real.py"))
 
 
 @pytest.fixture(scope="module")

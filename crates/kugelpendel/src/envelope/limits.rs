@@ -2,7 +2,7 @@
 //!
 //! What averaging leaves out is of second order in the forces, and where a suspension or a drive acts on wide swings a
 //! first-order offset of the mean actions, which the intrinsic precession turns into an angle that grows with time. The
-//! coefficients are bounds of what docs/averaging.py measures against the full equations.
+//! coefficients are bounds of what docs/scripts/averaging.py measures against the full equations.
 
 use super::circles::Circles;
 use super::equations::{AveragedEquations, CAUSES};

@@ -6,13 +6,12 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from kugelpendel.spelling import localised, unit_for
+from kugelpendel.spelling import hourly, localised, unit_for
 
 if TYPE_CHECKING:
     from kugelpendel.errors import Language
     from kugelpendel.tracks import Estimate
 
-_HOURLY = math.degrees(1.0) * 3600
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -36,7 +35,7 @@ class Shown:
     def of(cls, name: str, unit: str, value: float, language: Language) -> Shown:
         """The unit for a quantity of this size: °/h for turning, ° for angles, mm for lengths."""
         if name == "rotation":
-            return cls(_HOURLY, "°/h", language)
+            return cls(hourly(1.0), "°/h", language)
         if unit == "rad":
             return cls(math.degrees(1.0), "°", language)
         if unit == "m":

@@ -1,4 +1,4 @@
-"""Measure where the series stop converging: ``python docs/convergence.py docs/series.md``.
+"""Measure where the series stop converging: ``python docs/scripts/convergence.py docs/series.md``.
 
 Writes the tables of that page anew, and the picture beside it. Left in the picture, the relative
 error of the precession against the exact motion; right, the radius of convergence from the ratios

@@ -1,4 +1,4 @@
-"""Measure the numbers of a page and write them: ``python docs/real.py docs/real.md``.
+"""Measure the numbers of a page and write them: ``python docs/scripts/real.py docs/real.md``.
 
 Writes the tables of that page anew, and the picture of Guelph's pendulum beside it.
 """
@@ -306,7 +306,7 @@ def examples_table() -> str:
     """How far the averaged equations are from the full ones in the examples."""
     rows = []
     for name in EXAMPLES:
-        job = read_job(Path(__file__).parent.parent / "examples" / f"{name}.toml")
+        job = read_job(Path(__file__).parents[2] / "examples" / f"{name}.toml")
         found = apart(averaged_motion(job), lambda job=job: real_motion(job), job.grid.duration)
         hours = f"{job.grid.duration / HOUR:g} h"
         rows.append((f"`{name}.toml`", hours, *(shown(value) for value in found[:3])))

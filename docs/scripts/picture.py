@@ -1,4 +1,4 @@
-"""Draw the picture of the README: ``python docs/picture.py docs/laboratory.svg``."""
+"""Draw the picture of the README: ``python docs/scripts/picture.py docs/laboratory.svg``."""
 
 import re
 import sys

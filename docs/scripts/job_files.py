@@ -1,4 +1,4 @@
-"""Write the tables of what a file may say: ``python docs/job_files.py``.
+"""Write the tables of what a file may say: ``python docs/scripts/job_files.py``.
 
 They come from the schema that the command line reads files by, and stand in README.md and docs
 between two comments that no reader sees.
@@ -20,7 +20,7 @@ PAGES = {
 }
 """The table of each page."""
 
-START, END = "<!-- What a file may say, by docs/job_files.py -->", "<!-- End -->"
+START, END = "<!-- What a file may say, by docs/scripts/job_files.py -->", "<!-- End -->"
 
 
 def written(page: str, table: str) -> str:
@@ -36,7 +36,7 @@ def written(page: str, table: str) -> str:
 
 def main() -> None:
     """Write all pages."""
-    root = Path(__file__).resolve().parent.parent
+    root = Path(__file__).resolve().parents[2]
     for name, table in PAGES.items():
         path = root / name
         path.write_text(written(path.read_text(encoding="utf-8"), table), encoding="utf-8")

@@ -1,4 +1,4 @@
-"""How far averaged motions are off: ``python docs/averaging.py docs/real.md`` writes the table.
+"""How far averaged motions are off: a table, by ``python docs/scripts/averaging.py docs/real.md``.
 
 For one force at a time, over amplitudes and strengths, the azimuth of the averaged motion beside
 that of the full equations over a day, and the bound that `EnvelopeMotion.trust` says.

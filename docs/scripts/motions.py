@@ -1,4 +1,4 @@
-"""Measure the numbers of a page and write them: ``python docs/motions.py docs/motions.md``."""
+"""Measure the numbers of a page: ``python docs/scripts/motions.py docs/motions.md``."""
 
 import re
 import sys
