@@ -135,12 +135,12 @@ impl EnvelopeMotions {
     }
 }
 
-/// Turning radii a and b in m and azimuths in rad of averaged motions, three numbers to a time in s, NaN where a motion
-/// has ended. Each begins at t = 0 as an ellipse: a column each of length, gravity; a, b, azimuth; γ, c, Ω_z; δ, χ; Δγ, χd;
+/// The fundamental's semi-axes a and b in m and azimuths in rad of averaged motions, three numbers to a time in s, NaN
+/// where a motion has ended. Each begins at t = 0 as an ellipse: a column each of length, gravity; a, b, azimuth; γ, c, Ω_z; δ, χ; Δγ, χd;
 /// and of what multiplies the intrinsic precession. Signs and sizes are free, as a search among them needs it: drag may
 /// bring energy in, and the ground turn faster than the Earth.
 #[pyfunction]
-pub(crate) fn averaged_ellipses<'py>(
+pub(crate) fn averaged_fundamentals<'py>(
     py: Python<'py>,
     count: usize,
     columns: Vec<PyReadonlyArray1<'py, f64>>,
@@ -160,7 +160,7 @@ pub(crate) fn averaged_ellipses<'py>(
         let stop = || signal.has_arrived();
         let Ok(motion) = EnvelopeMotion::at_apsis(pendulum, start, forces, Drive::Absent, factor) else { return };
         // What is beyond an end stays NaN.
-        let _ = motion.fill(Envelope::Ellipse, times, out, &mut EnvelopeWalks::default(), &stop);
+        let _ = motion.fill(Envelope::Fundamental, times, out, &mut EnvelopeWalks::default(), &stop);
     };
     let size = 3 * times.len();
     let array = new_array(py, size * count, |out| {

@@ -41,7 +41,7 @@ mod _core {
     #[pymodule_export]
     use crate::columns::extent;
     #[pymodule_export]
-    use crate::envelope::{EnvelopeMotions, averaged_ellipses};
+    use crate::envelope::{EnvelopeMotions, averaged_fundamentals};
     #[pymodule_export]
     use crate::exact::ExactMotions;
     #[pymodule_export]

@@ -230,6 +230,12 @@ impl ClosedForm<f64> {
 }
 
 impl ClosedForm<Dual> {
+    /// Semi-axes of the ellipse of the first pair of harmonics, the second with the sign of the sense.
+    pub(super) fn fundamental(&self) -> [f64; 2] {
+        let (ahead, behind) = (self.ahead[0].value, self.behind[0].value);
+        [ahead + behind, ahead - behind]
+    }
+
     /// The same without derivatives.
     pub(super) fn values(&self) -> ClosedForm<f64> {
         self.map(|number| number.value)

@@ -71,6 +71,9 @@ pub enum Envelope {
     Azimuth,
     /// a, b and ψ, as above.
     Ellipse,
+    /// The same of the fundamental alone, which is what a fit of one frequency finds: its a is (3/64)(a² − b²)/l² more
+    /// than the turning radius, and its b as much less, on small swings.
+    Fundamental,
     /// Θ since the outer turning point that was nearest at the launch, rad, continuous.
     Phase,
     /// Of the plane, rad/s, by their causes: the Earth, the ideal motion, the suspension's stiffness, its damping, the
@@ -82,7 +85,7 @@ impl Envelope {
     /// How many numbers it takes for each time.
     pub fn width(self) -> usize {
         match self {
-            Self::Point(_) | Self::Ellipse => 3,
+            Self::Point(_) | Self::Ellipse | Self::Fundamental => 3,
             Self::SemiAxes => 2,
             Self::Azimuth | Self::Phase => 1,
             Self::Rates => 7,
@@ -329,6 +332,10 @@ impl EnvelopeMotion {
             Envelope::SemiAxes => out.copy_from_slice(&swing.radii().map(|radius| length * radius)),
             Envelope::Ellipse => {
                 let [a, b] = swing.radii().map(|radius| length * radius);
+                out.copy_from_slice(&[a, b, azimuth]);
+            }
+            Envelope::Fundamental => {
+                let [a, b] = swing.form.fundamental().map(|radius| length * radius);
                 out.copy_from_slice(&[a, b, azimuth]);
             }
             Envelope::Rates => {

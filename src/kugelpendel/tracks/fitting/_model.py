@@ -108,8 +108,7 @@ class Measured:
         -------
         Shape (sets, windows, 3); NaN for sets that no motion has. A window gives the mean of the
         two circles over its times: two nodes a standard deviation from the middle have it to second
-        order. a and b are those of the fundamental, (3/64)(a² − b²)/l² more than the turning
-        radius for a, and as much less for b.
+        order. a and b are those of the fundamental, as tracks are fitted by one frequency.
         """
         length, gravity, _ = self.pendulum(rows)
         a, b, azimuth = _columns(rows, SHAPE)
@@ -127,8 +126,6 @@ class Measured:
         columns = [np.ascontiguousarray(column) for column in columns]
         found = self._read(len(rows), columns, times)[:, back.reshape(self.nodes.shape)]
         a, b, azimuth = np.moveaxis(found, -1, 0)  # (sets, two nodes, windows)
-        more = (3 / 64) * (a**2 - b**2) / length[:, None, None] ** 2
-        a, b = a * (1 + more), b * (1 - more)
         direction = np.exp(1j * azimuth)
         ahead, behind = 0.5 * (a + b) * direction, 0.5 * (a - b) * direction
         # A camera that looks askew: z + η z̄, η half the difference of the scales along its axis.
@@ -149,8 +146,8 @@ class Measured:
             float(times[0]), float(times[-1]), max(_NODES, int(whole / _SMOOTH))
         )
         if len(times) < 2 * len(grid):
-            return _core.averaged_ellipses(count, columns, times).reshape(count, len(times), 3)
-        read = _core.averaged_ellipses(count, columns, grid).reshape(count, len(grid), 3)
+            return _core.averaged_fundamentals(count, columns, times).reshape(count, len(times), 3)
+        read = _core.averaged_fundamentals(count, columns, grid).reshape(count, len(grid), 3)
         found = np.full((count, len(times), 3), np.nan)
         good = np.isfinite(read).all(axis=(1, 2))
         if good.any():
