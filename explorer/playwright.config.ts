@@ -1,6 +1,7 @@
 import { defineConfig } from "@playwright/test";
 
-const PORT = 8391;
+/** A free one, which tests/run finds. */
+const PORT = process.env["EXPLORER_PORT"] ?? "8391";
 
 /** The system's own browser, which tests/run finds. */
 const browser = process.env["CHROMIUM"];
