@@ -26,6 +26,7 @@ ALL := pyproject.toml --extra run --extra fit --extra paper --group install --gr
 RUST_SOURCES := $(shell find crates -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
 PAGE := src/kugelpendel/cli/explore/page
 PAGE_SOURCES := $(shell find explorer -name node_modules -prune -o -type f ! -name '*.wasm' ! -name 'derivation.*' -print)
+SENTENCES := $(wildcard src/kugelpendel/errors/sentences/*.toml)
 PAPER_SOURCES := $(shell find src/kugelpendel/paper -type f ! -name '*.pyc')
 DERIVATION := explorer/public/derivation.de.html explorer/public/derivation.en.html
 BUILD_CORE := crates/kugelpendel-wasm/build.sh
@@ -121,8 +122,8 @@ explorer/public/derivation.%.html: $(PAPER_SOURCES) $(STAMPS)/package
 	@mkdir -p explorer/public
 	$(BIN)/kugelpendel derive --lang $* --format html --out $@
 
-$(STAMPS)/page: explorer/src/core/kugelpendel.wasm $(DERIVATION) $(PAGE_SOURCES) $(STAMPS)/explorer
-	cd explorer && $(NODE) node_modules/vite/bin/vite.js build --logLevel warn
+$(STAMPS)/page: explorer/src/core/kugelpendel.wasm $(DERIVATION) $(PAGE_SOURCES) $(SENTENCES) $(STAMPS)/explorer
+	cd explorer && VITE_CONFIG_NATIVE_IGNORE_WARNING=true $(NODE) node_modules/vite/bin/vite.js build --logLevel warn
 	@touch $@
 
 $(STAMPS)/%: requirements/%.lock $(STAMPS)/uv

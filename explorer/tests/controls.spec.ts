@@ -1,4 +1,5 @@
 import { expect, test } from "@playwright/test";
+import { ends, glide } from "../src/sentence/scale";
 import { drawn, open, time } from "./page";
 
 test.use({ locale: "de-DE", contextOptions: { reducedMotion: "reduce" }, viewport: { width: 1280, height: 800 } });
@@ -83,6 +84,9 @@ test("each quantity opens its ruler, obeys keys, chips and typing, and says what
   await field.fill("10 cm");
   await page.keyboard.press("Enter");
   await expect(page.locator(".refusal")).toContainText("Weniger als 45,9 cm geht hier nicht.");
+  await page.getByRole("button", { name: "English" }).click();
+  await expect(page.locator(".refusal")).toHaveText("It cannot be less here than 45.9 cm.");
+  await page.getByRole("button", { name: "Deutsch" }).click();
 
   await page.getByRole("button", { name: /^Fallbeschleunigung/ }).click();
   await page.getByRole("button", { name: "Mond", exact: true }).click();
@@ -110,6 +114,13 @@ test("a ruler is dragged under its pointer, and so is the number itself", async 
   await page.mouse.move(box.x + 100, box.y + 30, { steps: 4 });
   await page.mouse.up();
   await expect(page.getByRole("button", { name: "Länge: 2,01 m" })).toBeVisible();
+  // Drawn to its least value, its end is hatched from edge to middle.
+  const before = await drawn(page, ".ruler canvas");
+  await page.keyboard.press("Home");
+  await expect(page.getByRole("button", { name: "Länge: 45,9 cm" })).toBeVisible();
+  expect(await drawn(page, ".ruler canvas")).toBeGreaterThan(before);
+  await page.getByRole("textbox").fill("2,01 m");
+  await page.keyboard.press("Enter");
   const number = (await page.locator("#quantity-length").boundingBox())!;
   await page.mouse.move(number.x + 20, number.y + 10);
   await page.mouse.down();
@@ -154,4 +165,24 @@ test("languages, themes and modes are switched", async ({ page }) => {
   await expect(page.locator(".title")).toHaveText("The floor is turning");
   await page.getByRole("button", { name: "Pendulum", exact: true }).click();
   await expect(page.locator(".title")).toHaveText("The ellipse that turns");
+});
+
+test("a scale that is let go in motion glides on and comes to rest", () => {
+  const way = Array.from({ length: 11 }, (_, step) => ({ x: 6 * step, time: 10 * step }));
+  const thrown = glide(way, 100);
+  // 0.6 px/ms, lost evenly within 200 ms.
+  expect(thrown.whole).toBeCloseTo(60, 12);
+  expect(thrown.at(0)).toEqual({ px: 0, done: false });
+  expect(thrown.at(100).px).toBeCloseTo(45, 12);
+  expect(thrown.at(250)).toEqual({ px: thrown.whole, done: true });
+  // Held still before it is let go, or let go slowly, it stays.
+  expect(glide(way, 400).whole).toBe(0);
+  expect(glide([{ x: 0, time: 0 }, { x: 2, time: 50 }], 50).whole).toBe(0);
+});
+
+test("a ruler says where it ends", () => {
+  const length = { si: "m", least: 0.1, most: 1000, value: 1 } as const;
+  expect(ends(length, 1, 200)).toEqual([]);
+  expect(ends(length, 0.1, 200)).toEqual([[-200, 0]]);
+  expect(ends({ ...length, most: 10 }, 1, 400)).toEqual([[-400, -330], [330, 400]]);
 });

@@ -72,6 +72,16 @@ test("drag, clamp and drive are set in the sentence", async ({ page }) => {
   await open(page, "preset=guelph");
   await page.getByRole("button", { name: "with drive" }).click();
   await expect(page.locator(".given")).toContainText("no drive");
+  // A swing that the air brakes less is pumped by the drive as it is: the core says so, and what would keep it.
+  await page.getByRole("button", { name: "no drive" }).click();
+  await page.getByRole("button", { name: /^Time in which the swing halves/ }).click();
+  await page.getByRole("textbox").fill("1e5 s");
+  await page.keyboard.press("Enter");
+  await expect(page.locator(".refusal")).toHaveText(/^The drive's push of 0\.00010395 m\/s pumps without end: .*; push = 7\.205e-07 keeps an amplitude of 0\.03 m\.$/);
+  await page.getByRole("button", { name: "weaker drive" }).click();
+  await expect(page.locator(".given")).toContainText("halves that in 27.8 h");
+  await expect(page.locator(".given")).toContainText("with drive");
+  await page.getByRole("button", { name: "with drive" }).click();
   await page.getByRole("button", { name: /^How uneven the clamp is/ }).click();
   await page.locator(".ruler").getByRole("button", { name: "even" }).click();
   await expect(page.locator(".portrait")).toContainText("No: the clamp is even.", { timeout: 15_000 });

@@ -58,3 +58,12 @@ pub(crate) fn answer<const N: usize>(found: Result<[f64; N], Invalid>) -> u32 {
     }
     1
 }
+
+/// Tells the word of a kind of refusal by its place in the list of them, as its place and its length in bytes; 0 beyond
+/// the end of the list.
+#[unsafe(no_mangle)]
+pub extern "C" fn refusal_kind(index: usize) -> u32 {
+    let Some((_, word)) = Invalid::KINDS.get(index) else { return 0 };
+    tell(&[word.as_ptr() as usize as f64, word.len() as f64]);
+    1
+}

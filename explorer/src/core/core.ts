@@ -2,6 +2,8 @@ import type { Given, Vector } from "./given";
 
 /** What the page asks of the core. All in SI; azimuths and rates positive counter-clockwise seen from above. */
 export interface Core {
+  /** The words of all that it may refuse, such as "too_strong". */
+  readonly refusalKinds: readonly string[];
   /** Throws `Refused` for what cannot be launched. */
   motion(given: Given, law: Law): Motion;
   /** The numbers of the ideal motion that starts like this one. Throws `Refused`. */

@@ -1,4 +1,4 @@
 /** The core as the page sees it: the Rust core in WebAssembly, typed. */
 export * from "./core";
 export * from "./given";
-export { loadCore } from "./load";
+export { loadCore, startCore } from "./load";

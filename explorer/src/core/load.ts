@@ -15,7 +15,12 @@ export async function loadCore(): Promise<Core> {
   const response = await fetch(new URL("./kugelpendel.wasm", import.meta.url));
   if (!response.ok) throw new Error(`The core could not be fetched: ${response.status}.`);
   // Not while it streams: hosts that do not know its type could not serve it then.
-  const { instance } = await WebAssembly.instantiate(await response.arrayBuffer());
+  return startCore(await response.arrayBuffer());
+}
+
+/** Starts the core from its file's content. */
+export async function startCore(content: BufferSource): Promise<Core> {
+  const { instance } = await WebAssembly.instantiate(content);
   return new LoadedCore(new Machine(instance));
 }
 
@@ -32,6 +37,10 @@ class LoadedCore implements Core {
 
   get memory(): WebAssembly.Memory {
     return this.machine.call.memory;
+  }
+
+  get refusalKinds(): readonly string[] {
+    return this.machine.refusalKinds();
   }
 
   motion(given: Given, law: Law): Motion {

@@ -10,6 +10,7 @@ interface Exports {
   allocate(count: number): number;
   release(place: number, count: number): void;
   exchange(): number;
+  refusal_kind(index: number): number;
   settled(): number;
   summary(): number;
   measured(law: number): number;
@@ -104,6 +105,13 @@ export class Machine {
       seen.push({ name: this.text(slot), value: this.at(slot + 2), unit: this.text(slot + 3) });
     }
     return new Refused(kind, seen);
+  }
+
+  /** The words of all kinds of refusals. */
+  refusalKinds(): string[] {
+    const found: string[] = [];
+    while (this.call.refusal_kind(found.length) === 1) found.push(this.text(0));
+    return found;
   }
 
   private text(slot: number): string {

@@ -2,7 +2,8 @@
 
 import { notice } from "../state/page";
 import { asking } from "./kiosk";
-import { words } from "../words/language";
+import { fill, language, words } from "../words/language";
+import { refusal } from "../words/sentences";
 
 export function Notices() {
   const say = words.value.notice;
@@ -15,7 +16,7 @@ export function Notices() {
   if (!notice.value) return null;
   return (
     <div class="notice" role="status">
-      {say[notice.value]}
+      {notice.value === "link" ? say.link : fill(say.refused, { sentence: refusal(notice.value, language.value) })}
       <button type="button" aria-label={say.close} onClick={() => (notice.value = null)}>
         ×
       </button>

@@ -1,10 +1,11 @@
 /** The first sentence: what is given. Its quantities are the controls of the page. */
 
 import { quantity } from "../numbers/spell";
-import { given, live, mode, relaunch, ruling } from "../state/page";
+import { given, live, mode, refused, relaunch, ruling } from "../state/page";
 import { bodyOf } from "../state/quantities";
 import { redraw } from "../state/loop";
 import { language, words } from "../words/language";
+import { refusal } from "../words/sentences";
 import type { Given as GivenJob } from "../core";
 import { Filled } from "./Filled";
 import { QuantityButton } from "./Quantity";
@@ -15,7 +16,15 @@ export function Given() {
   return (
     <section id="given" aria-label={words.value.given.label}>
       <p class="sentence given">{mode.value === "free" ? <Free /> : mode.value === "pair" ? <Pair /> : <Foucault />}</p>
-      {ruling.value && <Ruler />}
+      {ruling.value ? (
+        <Ruler />
+      ) : (
+        refused.value && (
+          <p class="refusal" role="status">
+            {refusal(refused.value, language.value)}
+          </p>
+        )
+      )}
       <hr class="rule" />
     </section>
   );

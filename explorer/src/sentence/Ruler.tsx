@@ -1,15 +1,16 @@
 /** The ruler under the sentence: a scale under a fixed pointer, famous values, and a field to type in. */
 
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
-import { faded, readInk } from "../drawing/ink";
+import { faded, readInk, type Ink } from "../drawing/ink";
 import { readTyped } from "../numbers/read";
 import { oneIn, plain } from "../numbers/spell";
 import { unitFor, type Si } from "../numbers/ladders";
-import { dark, kiosk, refused, ruling } from "../state/page";
+import { dark, kiosk, reducedMotion, refused, refusedGiven, relaunch, ruling } from "../state/page";
 import { redraw } from "../state/loop";
 import { quantityOf, type Quantity, type QuantityKey } from "../state/quantities";
 import { fill, language, words } from "../words/language";
-import { clamped, marks, moved, stepped } from "./scale";
+import { refusal } from "../words/sentences";
+import { clamped, ends, glide, marks, moved, stepped, type Sample } from "./scale";
 
 export function Ruler() {
   const name = ruling.value as QuantityKey | null;
@@ -19,20 +20,24 @@ export function Ruler() {
 }
 
 function Opened({ quantity }: { readonly quantity: Quantity }) {
-  const [refusal, setRefusal] = useState("");
+  // Said anew with each language.
+  const [problem, setProblem] = useState<(() => string) | null>(null);
   const [text, setText] = useState("");
   const say = words.value.ruler;
+  const complain = (sentence: (() => string) | null): void => setProblem(() => sentence);
   const set = (value: number, exact = false): void => {
     const inside = exact ? value : clamped(quantity, value);
-    const limit = inside > value ? say.least : say.most;
-    setRefusal(inside === value ? "" : fill(limit, { value: quantity.spell(inside) }));
-    if (!quantity.set(inside)) setRefusal(refused.value ? fill(words.value.notice.refused, { kind: refused.value.kind.replaceAll("_", " ") }) : "");
+    const limit = inside > value ? "least" : "most";
+    complain(inside === value ? null : () => fill(words.value.ruler[limit], { value: quantityOf(quantity.key, words.value, language.value)?.spell(inside) ?? "" }));
+    const done = quantity.set(inside);
+    const why = refused.value;
+    if (!done) complain(why && (() => refusal(why, language.value)));
     redraw();
   };
   const typed = (event: Event): void => {
     event.preventDefault();
     const value = quantity.si === "ratio" ? readRatio(text) : readTyped(text, quantity.si);
-    if (value === undefined) setRefusal(say.unreadable[quantity.si]);
+    if (value === undefined) complain(() => words.value.ruler.unreadable[quantity.si]);
     else {
       set(value);
       setText("");
@@ -57,9 +62,31 @@ function Opened({ quantity }: { readonly quantity: Quantity }) {
         </form>
       )}
       <p class="refusal" role="status">
-        {refusal}
+        {problem?.()}
       </p>
+      <Weaker done={() => complain(null)} />
     </div>
+  );
+}
+
+/** The way out where a drive gives more than the drag takes: the push that keeps the swing as it is. */
+function Weaker({ done }: { readonly done: () => void }) {
+  const [why, wanted] = [refused.value, refusedGiven.value];
+  const keeps = why?.seen.find(({ name }) => name === "keeps")?.value;
+  const drive = wanted?.drive;
+  if (!wanted || !drive || keeps === undefined) return null;
+  return (
+    <button
+      type="button"
+      class="chip"
+      onClick={() => {
+        relaunch({ ...wanted, drive: { ...drive, push: keeps } });
+        done();
+        redraw();
+      }}
+    >
+      {words.value.notice.weakerChip}
+    </button>
   );
 }
 
@@ -73,7 +100,10 @@ function readRatio(text: string): number | undefined {
 
 function Scale({ quantity, set }: { readonly quantity: Quantity; readonly set: (value: number) => void }) {
   const canvas = useRef<HTMLCanvasElement>(null);
-  const held = useRef<{ x: number; from: number } | null>(null);
+  const held = useRef<{ x: number; from: number; way: Sample[] } | null>(null);
+  const gliding = useRef(0);
+  const stop = (): void => cancelAnimationFrame(gliding.current);
+  useEffect(() => stop, []);
   useLayoutEffect(() => canvas.current?.focus({ preventScroll: true }), []);
   useEffect(() => {
     if (canvas.current) drawScale(canvas.current, quantity);
@@ -99,14 +129,31 @@ function Scale({ quantity, set }: { readonly quantity: Quantity; readonly set: (
         set(next);
       }}
       onPointerDown={(event) => {
-        held.current = { x: event.clientX, from: quantity.value };
+        stop();
+        held.current = { x: event.clientX, from: quantity.value, way: [{ x: event.clientX, time: event.timeStamp }] };
         event.currentTarget.setPointerCapture(event.pointerId);
       }}
       onPointerMove={(event) => {
         // The scale goes with the hand, so that the value under the pointer goes the other way.
-        if (held.current && event.buttons) set(moved(quantity, held.current.from, held.current.x - event.clientX));
+        if (!held.current || !event.buttons) return;
+        held.current.way.push({ x: event.clientX, time: event.timeStamp });
+        set(moved(quantity, held.current.from, held.current.x - event.clientX));
       }}
-      onPointerUp={() => (held.current = null)}
+      onPointerUp={(event) => {
+        const was = held.current;
+        held.current = null;
+        if (!was || reducedMotion.value) return;
+        const further = glide(was.way, event.timeStamp);
+        if (further.whole === 0) return;
+        const began = performance.now();
+        const step = (): void => {
+          const { px, done } = further.at(performance.now() - began);
+          set(moved(quantity, was.from, was.x - event.clientX - px));
+          if (!done) gliding.current = requestAnimationFrame(step);
+        };
+        gliding.current = requestAnimationFrame(step);
+      }}
+      onPointerCancel={() => (held.current = null)}
     />
   );
 }
@@ -126,6 +173,7 @@ function drawScale(canvas: HTMLCanvasElement, quantity: Quantity): void {
   context.scale(density, density);
   const middle = Math.min(Math.max(quantity.value, quantity.least), quantity.most);
   const dense = marks(quantity, middle, width / 2 + 40);
+  for (const [from, to] of ends(quantity, middle, width / 2)) drawEnd(context, ink, width / 2 + from, width / 2 + to, height);
   let free = Number.NEGATIVE_INFINITY;
   context.textAlign = "center";
   context.font = `500 ${ink.chartSize}px ${ink.sans}`;
@@ -152,4 +200,24 @@ function drawScale(canvas: HTMLCanvasElement, quantity: Quantity): void {
   context.lineTo(width / 2, 9);
   context.fill();
   context.fillRect(width / 2 - 1, 0, 2, 32);
+}
+
+/** px between the lines of a hatched end. */
+const HATCH = 8;
+
+/** Beyond its least and its most value the scale is hatched. */
+function drawEnd(context: CanvasRenderingContext2D, ink: Ink, from: number, to: number, height: number): void {
+  context.save();
+  context.beginPath();
+  context.rect(from, 0, to - from, height);
+  context.clip();
+  context.strokeStyle = faded(ink.color.ink, 0.3);
+  context.lineWidth = 1;
+  context.beginPath();
+  for (let x = HATCH * Math.floor((from - height) / HATCH); x < to; x += HATCH) {
+    context.moveTo(x, height);
+    context.lineTo(x + height, 0);
+  }
+  context.stroke();
+  context.restore();
 }

@@ -74,3 +74,45 @@ export function marks(quantity: Ruled, middle: number, reach: number): Mark[] {
   return found;
 }
 
+
+/** From where to where, in px from a value, the scale has nothing more to offer; up to so many px on either side. */
+export function ends(quantity: Ruled, middle: number, reach: number): readonly (readonly [from: number, to: number])[] {
+  const here = place(quantity, middle);
+  const [low, high] = [place(quantity, quantity.least) - here, place(quantity, quantity.most) - here];
+  const found: [number, number][] = [];
+  if (low > -reach) found.push([-reach, low]);
+  if (high < reach) found.push([high, reach]);
+  return found;
+}
+
+/** Where a hand has been, px, and when, ms. */
+export interface Sample {
+  readonly x: number;
+  readonly time: number;
+}
+
+/** How long a scale that is let go glides on, how far back its speed is looked for, and how fast it is at least, ms and px/ms. */
+const GLIDE = 200;
+const RECENT = 80;
+const SLOWEST = 0.1;
+
+/** How a scale glides on: by how many px in all, and at a time after it was let go, ms. */
+export interface Glide {
+  readonly whole: number;
+  at(time: number): { readonly px: number; readonly done: boolean };
+}
+
+/** The scale keeps the speed of the hand that lets it go, and loses it evenly. */
+export function glide(way: readonly Sample[], end: number): Glide {
+  const recent = way.filter(({ time }) => time >= end - RECENT);
+  const [first, last] = [recent[0], recent.at(-1)];
+  const speed = first && last && end > first.time ? (last.x - first.x) / (end - first.time) : 0;
+  const whole = Math.abs(speed) < SLOWEST ? 0 : (speed * GLIDE) / 2;
+  return {
+    whole,
+    at: (time) => {
+      const share = Math.min(Math.max(time / GLIDE, 0), 1);
+      return { px: whole * share * (2 - share), done: share === 1 };
+    },
+  };
+}

@@ -1,7 +1,8 @@
 /** What the stage says: the hint, every enlargement, and what has gone wrong. */
 
 import { plain, time } from "../numbers/spell";
-import { averaging, core, gripped, mode, launches, live, pulledOnce, rod, shownTime, speed, launch, given } from "../state/page";
+import { averaging, core, gripped, mode, launches, live, pulledOnce, relaunch, rod, shownTime, speed, launch, given } from "../state/page";
+import type { Live } from "../state/live";
 import { redraw } from "../state/loop";
 import { span } from "../state/speeds";
 import { fill, language, words } from "../words/language";
@@ -58,6 +59,12 @@ function Enlargement() {
   return <p class="stage-note">{fill(say.enlarged, { factor: plain(now.stretch, 2, tongue) })}</p>;
 }
 
+/** The drive that only keeps the swing as it is. */
+function weaken({ settled: { sustaining } }: Live): void {
+  if (sustaining) relaunch({ ...given.value, drive: sustaining });
+  redraw();
+}
+
 /** Why the motion has stopped, and a way on. */
 function Ended() {
   void shownTime.value;
@@ -81,6 +88,11 @@ function Ended() {
           }}
         >
           {words.value.notice.slackChip}
+        </button>
+      )}
+      {kind === "pumped" && given.value.drive && now.settled.sustaining && (
+        <button type="button" class="chip" onClick={() => weaken(now)}>
+          {words.value.notice.weakerChip}
         </button>
       )}
     </div>

@@ -4,7 +4,7 @@ import { readLink, writeLink, type Beside } from "../job";
 import { PRESET_KEYS, type PresetKey } from "../words/presets";
 import { language } from "../words/language";
 import { redraw, seek } from "./loop";
-import { beside, clock, deviation, duration, given, gripped, kiosk, launch, notice, preset, rod, show, speed, speeds } from "./page";
+import { beside, clock, deviation, duration, given, gripped, kiosk, launch, notice, preset, refused, rod, show, speed, speeds } from "./page";
 import { PRESETS } from "./presets";
 import type { Rung } from "./live";
 
@@ -27,8 +27,9 @@ export function take(fragment: string): void {
   }
   rod.value = link.view.rod ?? false;
   if (!launch(link.given, link.view.t ?? 0)) {
-    notice.value = "link";
+    const why = refused.value;
     show("rosette");
+    notice.value = why ?? "link";
     return;
   }
   preset.value = key && JSON.stringify(PRESETS[key].given) === JSON.stringify(link.given) ? key : null;

@@ -29,9 +29,11 @@ export const gripped = signal(false);
 export const pulledOnce = signal(false);
 /** A control that is open: the quantity whose ruler is shown. */
 export const ruling = signal<string | null>(null);
-export const notice = signal<"link" | null>(null);
+export const notice = signal<"link" | Refused | null>(null);
 /** What the core said to the last launch that it refused. */
 export const refused = signal<Refused | null>(null);
+/** What that launch was of. */
+export const refusedGiven = signal<Given | null>(null);
 export const reducedMotion = signal(false);
 
 export const mode = computed(() => modeOf(given.value));
@@ -69,6 +71,7 @@ export function launch(next: Given, at = 0): boolean {
     return true;
   } catch (error) {
     if (!(error instanceof Refused)) throw error;
+    refusedGiven.value = next;
     refused.value = error;
     return false;
   }

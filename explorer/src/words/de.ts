@@ -235,7 +235,7 @@ export const de: Words = {
   notice: {
     link: "Der Link war unvollständig. Gezeigt wird die Rosette.",
     close: "Schließen",
-    refused: "Das geht nicht: {kind}.",
+    refused: "{sentence} Gezeigt wird die Rosette.",
     slackChip: "mit Stange",
     weakerChip: "Antrieb schwächer",
   },

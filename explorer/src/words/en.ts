@@ -232,7 +232,7 @@ export const en = {
   notice: {
     link: "The link was incomplete. Shown is the rosette.",
     close: "Close",
-    refused: "This cannot be: {kind}.",
+    refused: "{sentence} Shown is the rosette.",
     slackChip: "on a rod",
     weakerChip: "weaker drive",
   },
