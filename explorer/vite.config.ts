@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import preact from "@preact/preset-vite";
 import { defineConfig } from "vite";
+import { first } from "./build/first";
 import { sentences } from "./build/sentences";
 import { startCore } from "./src/core";
 
@@ -11,7 +12,7 @@ const core = await startCore(readFileSync(new URL("./src/core/kugelpendel.wasm",
 // and the links, is a file of its own with a name that stays, so that the tests ask what the page asks.
 export default defineConfig({
   base: "./",
-  plugins: [preact(), sentences(core.refusalKinds)],
+  plugins: [preact(), sentences(core.refusalKinds), first(core)],
   build: {
     target: "es2022",
     outDir: "../src/kugelpendel/cli/explore/page",

@@ -10,6 +10,8 @@ import { released } from "./stage/grip";
 import { remember, take } from "./state/address";
 import { redraw } from "./state/loop";
 import { beside, core, dark, duration, given, gripped, kiosk, launches, playing, preset, reducedMotion, rod, systemDark } from "./state/page";
+import { de } from "./words/de";
+import { en, type Words } from "./words/en";
 import { language, presetWords, words } from "./words/language";
 import "./style/tokens.css";
 import "./style/page.css";
@@ -33,8 +35,10 @@ effect(() => {
 effect(() => {
   root.toggleAttribute("data-kiosk", kiosk.value);
 });
+// The page's head has looked into the link already.
+if (root.dataset["tongue"] === "de" || root.dataset["tongue"] === "en") language.value = root.dataset["tongue"];
 effect(() => {
-  root.lang = language.value;
+  root.lang = root.dataset["tongue"] = language.value;
   document.title = `${preset.value ? presetWords.value[preset.value].title : words.value.gallery.own} · ${words.value.name}`;
 });
 
@@ -46,19 +50,36 @@ window.addEventListener("keydown", (event) => {
 });
 document.addEventListener("visibilitychange", redraw);
 
+/** How long the core may load before it is said to, ms. */
+const PATIENCE = 1000;
+
 const page = document.getElementById("page") as HTMLElement;
-page.replaceChildren();
-render(<App />, page);
+
+/** Says something on the page as it is until the core is there; both languages stand in it, and one of them is seen. */
+function hint(text: (words: Words) => string): void {
+  for (const [tongue, say] of Object.entries({ de, en })) {
+    const place = page.querySelector<HTMLElement>(`.first .hint[lang=${tongue}]`);
+    if (!place) continue;
+    place.textContent = text(say);
+    place.hidden = false;
+  }
+}
 
 async function start(): Promise<void> {
+  const loading = setTimeout(() => hint((say) => say.stage.loading), PATIENCE);
   try {
     core.value = await loadCore();
   } catch {
-    // Without WebAssembly, without SIMD, or where the file does not come.
-    core.value = "failed";
+    // Without WebAssembly, without SIMD, or where the file does not come. The drawing, what it shows and the way to the
+    // derivation stay.
+    hint((say) => say.stage.failed);
     return;
+  } finally {
+    clearTimeout(loading);
   }
   take(location.hash);
+  page.replaceChildren();
+  render(<App />, page);
   playing.value = !reducedMotion.value;
   redraw();
   let steps = released.value;

@@ -1,4 +1,6 @@
 import { expect, test } from "@playwright/test";
+import { de } from "../src/words/de";
+import { en } from "../src/words/en";
 import { drawn, open } from "./page";
 
 test.use({ locale: "de-DE", contextOptions: { reducedMotion: "reduce" }, viewport: { width: 1280, height: 800 } });
@@ -27,11 +29,38 @@ test("the language is the browser's, and a link may say another", async ({ page 
   await expect(page.locator(".title")).toHaveText("The ellipse that turns");
 });
 
-test("where the core cannot run the page says so", async ({ page }) => {
-  await page.route("**/*.wasm", (route) => route.abort());
+test("where the core is slow or cannot run the page says so, and keeps what it shows", async ({ page }) => {
+  let fail = (): void => undefined;
+  const failing = new Promise<void>((done) => (fail = done));
+  await page.route("**/*.wasm", (route) => failing.then(() => route.abort()));
   await page.goto("./");
-  await expect(page.locator(".hint")).toContainText("Dieser Browser kann den Rechenkern nicht ausführen.");
-  await expect(page.locator(".title")).toHaveText("Die Ellipse, die sich dreht");
+  const hint = page.locator(".hint:visible");
+  await expect(hint).toHaveText("Der Rechenkern lädt …");
+  fail();
+  await expect(hint).toContainText("Dieser Browser kann den Rechenkern nicht ausführen.");
+  await expect(page.locator(".title:visible")).toHaveText("Die Ellipse, die sich dreht");
+  await expect(page.getByRole("link", { name: "Woher sie kommt" })).toHaveAttribute("href", "derivation.de.html#eq-25");
+});
+
+test("without a program the page says in both languages what it says of its first example, and shows its rosette", async ({ page, browser }) => {
+  const errors = await open(page);
+  const still = await browser.newPage({ javaScriptEnabled: false });
+  await still.goto("./");
+  expect((await still.locator(".stage > svg").boundingBox())?.height).toBeGreaterThan(300);
+  const plain = (texts: string[]): string[] => texts.map((text) => text.replaceAll(/\s+/g, " ").trim());
+  for (const language of ["de", "en"] as const) {
+    if (language === "en") await page.getByRole("button", { name: "English" }).click();
+    const said = still.locator(`.first .text > [lang=${language}]`);
+    await expect(said.locator("noscript p")).toBeVisible();
+    await expect(said.locator("noscript p")).toHaveText({ de, en }[language].first.needs);
+    for (const part of [".title", ".preset-text", ".sentence", ".formula-note"]) {
+      const shown = plain(await said.locator(part).allTextContents());
+      expect(shown.length).toBeGreaterThan(0);
+      expect(shown, part).toEqual(plain(await page.locator(`.text ${part}`).allTextContents()));
+    }
+  }
+  await still.close();
+  expect(errors).toEqual([]);
 });
 
 test("a kiosk has no links and no way out, asks whether somebody is there, and begins again", async ({ page }) => {

@@ -1,7 +1,7 @@
 /** What the stage says: the hint, every enlargement, and what has gone wrong. */
 
 import { plain, time } from "../numbers/spell";
-import { averaging, core, gripped, mode, launches, live, pulledOnce, relaunch, rod, shownTime, speed, launch, given } from "../state/page";
+import { averaging, gripped, mode, launches, live, pulledOnce, relaunch, rod, shownTime, speed, launch, given } from "../state/page";
 import type { Live } from "../state/live";
 import { redraw } from "../state/loop";
 import { span } from "../state/speeds";
@@ -14,18 +14,11 @@ export function Notes({ flat }: { readonly flat: "space" | "flat" | "lost" }) {
   const say = words.value.stage;
   return (
     <>
-      {typeof core.value === "string" ? (
-        <p class="hint" role="status">
-          {core.value === "failed" ? say.failed : say.loading}
+      {!pulledOnce.value && mode.value === "free" && (
+        <p class="hint">
+          <Hand />
+          <span>{say.pull}</span>
         </p>
-      ) : (
-        !pulledOnce.value &&
-        mode.value === "free" && (
-          <p class="hint">
-            <Hand />
-            <span>{say.pull}</span>
-          </p>
-        )
       )}
       {!gripped.value && <Enlargement />}
       {flat !== "space" && (

@@ -7,7 +7,7 @@ import { Live, modeOf, RUNGS, type Rung } from "./live";
 import { PRESETS } from "./presets";
 import { FOUCAULT_SPEEDS, FREE_SPEEDS, MOST_SWINGS, nextSpeed } from "./speeds";
 
-export const core = signal<Core | "loading" | "failed">("loading");
+export const core = signal<Core | "loading">("loading");
 export const live = signal<Live | null>(null);
 export const given = signal<Given>(PRESETS.rosette.given);
 /** The example that it is, or null for somebody's own launch. */

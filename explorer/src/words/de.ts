@@ -6,6 +6,7 @@ export const de: Words = {
   locale: "de",
   name: "Kugelpendel",
   description: "Das Kugelpendel, exakt und lebendig in deinem Browser.",
+  first: { needs: "Das Pendel bewegt ein Programm in dieser Seite: Nötig sind JavaScript und WebAssembly." },
   modes: { free: "Pendel", foucault: "Foucault", label: "Was gezeigt wird" },
   header: {
     derivation: "Herleitung",

@@ -4,6 +4,7 @@ export const en = {
   locale: "en",
   name: "Kugelpendel",
   description: "The spherical pendulum, exact and alive in your browser.",
+  first: { needs: "The pendulum moves by a program in this page: it takes JavaScript and WebAssembly." },
   modes: { free: "Pendulum", foucault: "Foucault", label: "What is shown" },
   header: {
     derivation: "Derivation",
