@@ -84,7 +84,7 @@ async function start(): Promise<void> {
   redraw();
   let steps = released.value;
   effect(() => {
-    void [launches.value, given.value, duration.value, language.value, beside.value, rod.value, gripped.value];
+    void [launches.value, given.value, duration.value, language.value, beside.value, rod.value, gripped.value, kiosk.value];
     remember(released.value !== steps);
     steps = released.value;
   });

@@ -70,7 +70,9 @@ test("a kiosk has no links and no way out, asks whether somebody is there, and b
   await expect(page.locator(".title")).toHaveText("Im Kreis");
   expect(await page.locator("a[href]:not(.skip)").count()).toBe(0);
   await expect(page.getByRole("button", { name: "Teilen" })).toHaveCount(0);
-  await page.getByRole("button", { name: "English" }).click();
+  // Languages and modes stand within reach of a child as well.
+  await page.locator(".within-reach").getByRole("button", { name: "English" }).click();
+  await expect(page.locator(".within-reach").getByRole("button", { name: "Pendulum" })).toHaveAttribute("aria-pressed", "true");
   await page.getByRole("button", { name: "Rosette" }).click();
   await page.clock.fastForward(46_000);
   await expect(page.locator(".still")).toHaveText("Still there? It starts again in a moment.");
@@ -81,6 +83,23 @@ test("a kiosk has no links and no way out, asks whether somebody is there, and b
   await page.clock.fastForward(16_000);
   await expect(page.locator(".title")).toHaveText("Im Kreis");
   expect(await page.evaluate(() => !document.dispatchEvent(new MouseEvent("contextmenu", { cancelable: true, bubbles: true })))).toBe(true);
+});
+
+test("nobody leaves a kiosk but by holding Escape down for three seconds", async ({ page }) => {
+  await page.clock.install();
+  await page.goto("./#kiosk=1");
+  await page.clock.runFor(500);
+  await expect(page.locator("html")).toHaveAttribute("data-kiosk", "");
+  await page.keyboard.down("Escape");
+  await page.clock.fastForward(2900);
+  await page.keyboard.up("Escape");
+  await page.clock.fastForward(2900);
+  await expect(page.locator("html")).toHaveAttribute("data-kiosk", "");
+  await page.keyboard.down("Escape");
+  await page.clock.fastForward(3100);
+  await expect(page.locator("html")).not.toHaveAttribute("data-kiosk", "");
+  await expect(page.getByRole("button", { name: "Teilen" })).toBeVisible();
+  expect(page.url()).not.toContain("kiosk");
 });
 
 test("every width has room for all, without scrolling sideways", async ({ page }) => {

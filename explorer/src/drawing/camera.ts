@@ -21,6 +21,15 @@ export interface Frame {
 export const ELEVATION = 20.6 * DEGREE;
 export const DISTANCE = 4.2;
 
+/** From where a camera looks and what its picture is like. */
+export interface Pose {
+  readonly azimuth: number;
+  readonly elevation: number;
+  readonly target: number;
+  readonly focal: number;
+  readonly centre: readonly [number, number];
+}
+
 export class Camera {
   azimuth = -35 * DEGREE;
   elevation = ELEVATION;
@@ -28,6 +37,15 @@ export class Camera {
   private centre: readonly [number, number] = [0, 0];
   /** What the camera looks at. */
   private target = -0.62;
+
+  get pose(): Pose {
+    const { azimuth, elevation, target, focal, centre } = this;
+    return { azimuth, elevation, target, focal, centre };
+  }
+
+  set pose({ azimuth, elevation, target, focal, centre }: Pose) {
+    [this.azimuth, this.elevation, this.target, this.focal, this.centre] = [azimuth, elevation, target, focal, centre];
+  }
 
   /** Coordinates of a point to the right of, above and beyond the camera's axis. */
   private seen([x, y, z]: Point): readonly [number, number, number] {

@@ -2,10 +2,11 @@
 
 import { computed } from "@preact/signals";
 import { useState } from "preact/hooks";
-import { redraw } from "../state/loop";
-import { core, playing, preset, reducedMotion, show } from "../state/page";
+import { Languages, Modes } from "../page/Switches";
+import { core, kiosk, preset } from "../state/page";
 import { PRESET_KEYS, type PresetKey } from "../words/presets";
 import { presetWords, words } from "../words/language";
+import { pick } from "./pick";
 import { thumbOf, type Thumb } from "./thumbs";
 
 const thumbs = computed<Partial<Record<PresetKey, Thumb>>>(() => {
@@ -13,12 +14,6 @@ const thumbs = computed<Partial<Record<PresetKey, Thumb>>>(() => {
   if (typeof engine === "string") return {};
   return Object.fromEntries(PRESET_KEYS.map((key) => [key, thumbOf(engine, key)]));
 });
-
-export function pick(key: PresetKey): void {
-  show(key);
-  playing.value = !reducedMotion.value;
-  redraw();
-}
 
 export function Gallery() {
   const [open, setOpen] = useState(false);
@@ -46,6 +41,12 @@ export function Gallery() {
           </li>
         ))}
       </ol>
+      {kiosk.value && (
+        <div class="within-reach">
+          <Modes />
+          <Languages inFull />
+        </div>
+      )}
     </nav>
   );
 }

@@ -8,10 +8,11 @@ import { DEGREE } from "../numbers/ladders";
 import { quantity } from "../numbers/spell";
 import { meetingNow } from "../state/curves";
 import type { Live } from "../state/live";
-import { averaging, beside, clock, duration, given, gripped, launches, live, mode, shownTime } from "../state/page";
+import { averaging, beside, clock, duration, given, gripped, launches, live, mode, shownTime, waiting } from "../state/page";
 import { cancel, grip, hold, release } from "../stage/grip";
 import { earlier } from "../stage/averaged";
 import { held, moving } from "../stage/strands";
+import { arrived } from "../stage/travel";
 import { fill, language, words } from "../words/language";
 import { useDrawing } from "./canvas";
 
@@ -51,6 +52,8 @@ function planOf(now: Live, ink: Ink, width: number): Plan {
   const squeeze = squeezeOf(now, time);
   const base = { ink, figures: figures(), reach: now.reach, squeeze, bob: Math.min(0.8 * ink.chartSize, width / 20) };
   const { length } = now.given.pendulum;
+  // It begins to be drawn when the bob has come to it.
+  if (waiting.value && !gripped.value && !arrived()) return { ...base, circles: [], strands: [], lines: [], bobs: [] };
   if (averaging.value && !gripped.value) return { ...base, circles: [], strands: [], ...averagedPlan(now, time, ink, squeeze?.factor ?? 1) };
   const state = gripped.value ? now.main.motion.state(0) : null;
   const seen = state ? held(now, state) : moving(now, beside.value, ink);

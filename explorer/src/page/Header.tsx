@@ -2,10 +2,11 @@
 
 import { useRef, useState } from "preact/hooks";
 import type { Language } from "../numbers/spell";
-import { kiosk, mode, showMode, theme } from "../state/page";
+import { kiosk, theme } from "../state/page";
 import { language, words } from "../words/language";
 import { Book, Corners, Dots, HalfDisc, Link, Mark } from "./icons";
 import { Popover } from "./Popover";
+import { Languages, Modes } from "./Switches";
 import { derivation } from "../sentence/ReadOut";
 import { ShareItems } from "../share/ShareItems";
 
@@ -32,17 +33,11 @@ export function Header() {
         <Mark />
         <span>{say.name}</span>
       </div>
-      <div class="modes" role="group" aria-label={say.modes.label}>
-        {(["free", "foucault"] as const).map((one) => (
-          <button key={one} type="button" aria-pressed={(mode.value === "free") === (one === "free")} onClick={() => showMode(one)}>
-            {say.modes[one]}
-          </button>
-        ))}
-      </div>
+      <Modes />
       {!kiosk.value && <Tools />}
       {kiosk.value ? (
         <div class="tools">
-          <Languages names={{ de: "Deutsch", en: "English" }} always />
+          <Languages inFull />
         </div>
       ) : null}
     </header>
@@ -73,7 +68,7 @@ function Tools() {
       <button class="tool only-wide wide-screen" type="button" aria-label={say.fullScreen} title={say.fullScreen} onClick={fullScreen}>
         <Corners />
       </button>
-      <Languages names={{ de: "DE", en: "EN" }} />
+      <Languages />
       <button class="tool only-narrow" type="button" lang={other} onClick={() => (language.value = other)}>
         {other.toUpperCase()}
         <span class="unseen"> {say.other}</span>
@@ -97,19 +92,6 @@ function Tools() {
           </button>
         </Popover>
       )}
-    </div>
-  );
-}
-
-function Languages({ names, always }: { readonly names: Readonly<Record<Language, string>>; readonly always?: boolean }) {
-  return (
-    <div class={always ? "languages always" : "languages"} role="group" aria-label={words.value.header.language}>
-      {(["de", "en"] as const).map((one) => (
-        <button key={one} type="button" lang={one} aria-pressed={language.value === one} onClick={() => (language.value = one)}>
-          {names[one]}
-          {!always && <span class="unseen"> {one === "de" ? "Deutsch" : "English"}</span>}
-        </button>
-      ))}
     </div>
   );
 }

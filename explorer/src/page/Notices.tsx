@@ -10,6 +10,9 @@ export function Notices() {
   if (asking.value)
     return (
       <div class="still" role="alert">
+        <svg class="ring" viewBox="0 0 36 36" aria-hidden="true" fill="none">
+          <circle cx="18" cy="18" r="15" />
+        </svg>
         {words.value.kiosk.still}
       </div>
     );

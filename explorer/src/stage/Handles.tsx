@@ -2,14 +2,16 @@
 
 import { useRef } from "preact/hooks";
 import { degrees, quantity } from "../numbers/spell";
-import { averaging, clock, gripped, live, mode } from "../state/page";
+import { averaging, clock, gripped, kiosk, live, mode } from "../state/page";
 import type { Live } from "../state/live";
 import { fill, language, words } from "../words/language";
 import { arrow, cancel, grip, moveThrough, pullOut, pushAcross, release } from "./grip";
 import { place } from "./over";
 import { camera } from "./sight";
 import { placed } from "../drawing/scene";
+import { Hand } from "../page/icons";
 import { enlarged } from "./averaged";
+import { led, type Passed } from "./travel";
 
 /** A finger covers what it holds: the bob is held above it, px. */
 const ABOVE_FINGER = 36;
@@ -75,7 +77,7 @@ export function Handles() {
           cancel();
         }}
       />
-      {gripped.value && mode.value === "free" && (
+      {gripped.value && mode.value === "free" && !kiosk.value && (
         <div
           class="push-handle"
           onPointerDown={(event) => {
@@ -99,6 +101,11 @@ export function Handles() {
         />
       )}
       {gripped.value && <Flags live={now} />}
+      {led.value && (
+        <div class="pale-hand">
+          <Hand />
+        </div>
+      )}
       <span id="bob-help" class="unseen">
         {say.bobHelp}
       </span>
@@ -110,7 +117,7 @@ function Flags({ live: now }: { readonly live: Live }) {
   const tongue = language.value;
   const high = now.hand.angle > Math.PI / 2;
   const text = high ? degrees(now.hand.angle, 1, tongue) : `${quantity(now.hand.pull, "m", 3, tongue)} · ${degrees(now.hand.angle, 1, tongue)}`;
-  const push = mode.value === "free" ? `${words.value.stage.arrow} ${quantity(Math.abs(now.hand.across), "m/s", 3, tongue)}` : "";
+  const push = mode.value === "free" && !kiosk.value ? `${words.value.stage.arrow} ${quantity(Math.abs(now.hand.across), "m/s", 3, tongue)}` : "";
   return (
     <>
       <div class="flag pull-flag">{text}</div>
@@ -130,13 +137,15 @@ export function heldWords(now: Live): string {
 }
 
 /** Puts what can be taken hold of where it is drawn. */
-export function placeHandles(box: HTMLElement, now: Live): void {
+export function placeHandles(box: HTMLElement, now: Live, way: Passed | null): void {
   const put = (selector: string, x: number, y: number): void => {
     const element = box.querySelector<HTMLElement>(selector);
     if (element) element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
   };
-  const at = camera.project(bobPlace(now));
+  const there = bobPlace(now);
+  const at = camera.project(way ? way.at(there) : there);
   put(".bob-handle", at.x, at.y);
+  put(".pale-hand", at.x, at.y);
   if (!gripped.value) return;
   put(".pull-flag", at.x + 34, at.y + 22);
   const found = arrow();

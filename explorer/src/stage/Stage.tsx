@@ -2,7 +2,7 @@
 
 import { effect } from "@preact/signals";
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
-import { floorRadius } from "../drawing/camera";
+import { floorRadius, type Pose } from "../drawing/camera";
 import { FlatRenderer } from "../drawing/flat";
 import { drawFloor } from "../drawing/floor";
 import { readInk, type Ink } from "../drawing/ink";
@@ -12,14 +12,18 @@ import { EARTH } from "../drawing/strokes";
 import { DEGREE } from "../numbers/ladders";
 import { meetingNow } from "../state/curves";
 import { onFrame, redraw } from "../state/loop";
-import { averaging, beside, clock, core, dark, given, gripped, kiosk, launches, live, mode } from "../state/page";
+import { averaging, beside, clock, core, dark, given, gripped, kiosk, launches, live, mode, preset } from "../state/page";
 import { language, words } from "../words/language";
 import { averagedScene } from "./averaged";
 import { Handles, placeHandles } from "./Handles";
 import { Notes } from "./Notes";
-import { drawBearing, drawOver } from "./over";
+import { drawArrow, drawBearing, drawOver } from "./over";
 import { camera, goHome, turn } from "./sight";
 import { held, moving } from "./strands";
+import { flown, passed, remembered, type Passed } from "./travel";
+
+/** s: so long after a launch in a kiosk the arrow shows the push that the hand gave. */
+const ARROW_SHOWN = 1.2;
 
 type Graphics = "space" | "flat" | "lost";
 
@@ -118,11 +122,17 @@ function run(box: HTMLDivElement, { floor, under, space, flat, over }: Layers, t
     });
   });
   let home: string | null = null;
+  /** Where the camera flies to. */
+  let flying: Pose | null = null;
+  let landing = false;
 
   const paint = (): void => {
     const now = live.value;
     if (!now || size.width < 100 || size.height < 100) return;
     const view = now.mode === "free" ? "free" : "foucault";
+    const way = passed(performance.now());
+    if (flying) camera.pose = flying;
+    flying = null;
     if (home !== view) goHome((home = view));
     const radius = floorRadius(now.high ? 0 : Math.min(now.reach * now.stretch, 0.6));
     // While it is held, the picture stays under the hand, but for a bob that rises above the support.
@@ -132,7 +142,14 @@ function run(box: HTMLDivElement, { floor, under, space, flat, over }: Layers, t
       camera.fit({ left: 34, top: 10, width: size.width - 68, height: size.height - 34 - noted(box, size.height) }, radius, now.high);
       stale = true;
     }
-    const shown = Number(fitted.split(" ")[1]);
+    let shown = Number(fitted.split(" ")[1]);
+    if (way && way.flight < 1) {
+      flying = camera.pose;
+      flown(camera, way);
+      shown = way.floor + way.flight * (shown - way.floor);
+      stale = true;
+    } else if (landing) stale = true;
+    landing = flying !== null;
     if (stale) {
       const figures = mode.value === "free" ? { texts: ["0°", "90°", "180°", "270°"], bold: false } : { texts: compass(), bold: true };
       drawFloor(floor.getContext("2d") as CanvasRenderingContext2D, camera, ink, shown, figures, [size.width, size.height]);
@@ -142,7 +159,8 @@ function run(box: HTMLDivElement, { floor, under, space, flat, over }: Layers, t
     const below = under.getContext("2d") as CanvasRenderingContext2D;
     for (const one of [context, below]) one.clearRect(0, 0, size.width, size.height);
     const scene: Pick<Scene, "camera" | "ink" | "floorRadius" | "rod"> = { camera, ink, floorRadius: shown, rod: now.mode === "free" && now.summary.tension[0] < 0 };
-    if (averaging.value && !gripped.value) renderer.draw(averagedScene(scene, now, clock.time, below));
+    below.globalAlpha = way ? way.seen : 1;
+    if (averaging.value && !gripped.value) renderer.draw(remembered(onTheWay(averagedScene(scene, now, clock.time, below), way)));
     else {
       const state = gripped.value ? now.main.motion.state(0) : null;
       const seen = state ? held(now, state) : moving(now, beside.value, ink);
@@ -152,10 +170,11 @@ function run(box: HTMLDivElement, { floor, under, space, flat, over }: Layers, t
         drawBearing(below, camera, 0.8 * shown, now.hand.azimuth + now.settled.earth * clock.time, ink.color[EARTH.ink], EARTH.width, EARTH.dash);
         drawBearing(below, camera, 0.96 * shown, met, ink.color.exact, 1.8, []);
       }
-      renderer.draw({ ...scene, strands: seen.strands, bobs: seen.bobs, threads });
+      renderer.draw(remembered(onTheWay({ ...scene, strands: seen.strands, bobs: seen.bobs, threads }, way)));
       if (gripped.value) drawOver(context, camera, ink, now);
+      else if (kiosk.value && mode.value === "free" && clock.time < ARROW_SHOWN && preset.value === null) drawArrow(context, ink);
     }
-    placeHandles(box, now);
+    placeHandles(box, now, way);
   };
   const stopFrames = onFrame(paint);
   const stopLaunches = effect(() => {
@@ -171,6 +190,19 @@ function run(box: HTMLDivElement, { floor, under, space, flat, over }: Layers, t
     space.removeEventListener("webglcontextrestored", onRestored);
     deep?.dispose();
   };
+}
+
+/** What is drawn while the bob is on its way to where this scene begins. */
+function onTheWay(scene: Scene, way: Passed | null): Scene {
+  const main = scene.bobs.find((one) => !one.ring);
+  if (!way || !main) return scene;
+  if (way.way < 1) {
+    const at = way.at(main.at);
+    return { ...scene, strands: way.past.strands, bobs: [...way.past.bobs, { ...main, at, alpha: 1 }], threads: [at] };
+  }
+  const strands = scene.strands.map((one) => ({ ...one, alpha: [way.seen * one.alpha[0], way.seen * one.alpha[1]] as const }));
+  const bobs = scene.bobs.map((one) => (one === main ? one : { ...one, alpha: way.seen * one.alpha }));
+  return { ...scene, strands, bobs };
 }
 
 /** px that a note at the lower edge of the stage takes; one above lies beside the support. */

@@ -6,6 +6,7 @@ import { trace } from "../drawing/floor";
 import { faded, type Ink } from "../drawing/ink";
 import { BOB_RADIUS, placed } from "../drawing/scene";
 import type { Live } from "../state/live";
+import { kiosk } from "../state/page";
 import { arrow } from "./grip";
 
 const POINTS = 120;
@@ -30,7 +31,8 @@ export function drawOver(context: CanvasRenderingContext2D, camera: Camera, ink:
   context.beginPath();
   context.arc(x, y, 1.35 * BOB_RADIUS * scale, 0, 2 * Math.PI);
   context.stroke();
-  drawArrow(context, ink);
+  // Fingers that come by flick the bob.
+  if (!kiosk.value) drawArrow(context, ink);
 }
 
 /** Where the held bob is drawn. */
@@ -67,7 +69,7 @@ function drawFirstSwing(context: CanvasRenderingContext2D, camera: Camera, ink: 
   context.stroke();
 }
 
-function drawArrow(context: CanvasRenderingContext2D, ink: Ink): void {
+export function drawArrow(context: CanvasRenderingContext2D, ink: Ink): void {
   const found = arrow();
   if (!found) return;
   const { from, tip } = found;

@@ -1,6 +1,6 @@
 /** The frames of the page: time goes on, and everything that is drawn is drawn. */
 
-import { beside, averaging, clock, duration, live, playing, shownTime, speed } from "./page";
+import { beside, averaging, clock, duration, live, playing, shownTime, speed, waiting } from "./page";
 
 type Painter = () => void;
 
@@ -33,14 +33,14 @@ function frame(now: number): void {
   requested = false;
   const passed = before === null ? 0 : Math.min((now - before) / 1000, LONGEST_FRAME);
   before = playing.value ? now : null;
-  if (playing.value) goOn(passed * speed.value);
+  if (playing.value && !waiting.value) goOn(passed * speed.value);
   const there = live.value?.follow(clock.time, beside.value, averaging.value) ?? true;
   if (now - said >= SAY_EVERY || !playing.value) {
     said = now;
     shownTime.value = clock.time;
   }
   for (const painter of painters) painter();
-  if (playing.value || !there) redraw();
+  if (playing.value || !there || waiting.value) redraw();
 }
 
 function goOn(step: number): void {

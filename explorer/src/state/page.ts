@@ -17,6 +17,8 @@ export const rod = signal(false);
 export const beside = signal<ReadonlySet<Rung>>(new Set(RUNGS));
 export const speed = signal(1);
 export const playing = signal(false);
+/** Whether time waits until the bob has come to where its motion begins. */
+export const waiting = signal(false);
 /** s: how much of the motion the timeline shows */
 export const duration = signal(PRESETS.rosette.duration);
 export const deviation = signal(false);
@@ -95,12 +97,6 @@ export function show(key: PresetKey): void {
     duration.value = chosen.duration;
     deviation.value = chosen.deviation ?? false;
   });
-}
-
-/** The other mode begins with its first example. */
-export function showMode(next: "free" | "foucault"): void {
-  if ((mode.value === "free") === (next === "free")) return;
-  show(next === "free" ? "rosette" : "pantheon");
 }
 
 export function changeSpeed(way: 1 | -1): void {
