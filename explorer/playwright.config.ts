@@ -10,7 +10,9 @@ const browser = process.env["CHROMIUM"];
 export default defineConfig({
   testDir: "tests",
   outputDir: "../.venv/explorer-tests",
-  workers: 1,
+  // A page waits for its frames more than it computes.
+  fullyParallel: true,
+  workers: 2,
   forbidOnly: true,
   // Software draws slowly on a machine that does other things as well.
   timeout: 90_000,
