@@ -35,7 +35,8 @@ async function opened(page: Page, address: string): Promise<{ asked: string[]; c
   const core = page.waitForResponse((response) => response.url().endsWith(".wasm"));
   await page.goto(address);
   await core;
-  await page.waitForTimeout(500);
+  await expect(page.locator("html")).toHaveAttribute("data-ready", "", { timeout: 25_000 });
+  await page.evaluate(() => document.fonts.ready);
   return { asked, complaints };
 }
 
