@@ -9,6 +9,7 @@ import subprocess
 import sys
 import zipfile
 from pathlib import Path
+from urllib.request import urlopen
 
 import pytest
 
@@ -116,3 +117,20 @@ def test_installed_wheel_does_the_main_job(wheel: Path, repository: Path, tmp_pa
     arguments = ("run", "pantheon.toml", "--out", "results", "--json")
     assert json.loads(call(programs / "kugelpendel", *arguments, cwd=tmp_path))
     assert {path.suffix for path in (tmp_path / "results").iterdir()} >= {".json", ".png"}
+    if built_page(repository):
+        assert b"<h1" in explored(programs / "kugelpendel", tmp_path)
+
+
+def explored(program: Path, folder: Path) -> bytes:
+    """The page as an installed kugelpendel serves it on a job."""
+    arguments = (program, "explore", "pantheon.toml", "--no-browser")
+    with subprocess.Popen(arguments, cwd=folder, stdout=subprocess.PIPE, text=True) as server:
+        try:
+            assert server.stdout is not None
+            said = server.stdout.readline()
+            address = re.fullmatch(r"The explorer is at (http://127\.0\.0\.1:\d+/)#.+\n", said)
+            assert address, said
+            with urlopen(address[1], timeout=10) as answer:
+                return answer.read()
+        finally:
+            server.terminate()

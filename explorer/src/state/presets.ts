@@ -73,7 +73,8 @@ export const PRESETS: Record<PresetKey, Preset> = {
   bravais: {
     given: { pendulum: { length: 10 }, launch: { kind: "apsides", a: 0.5, b: 0.5 }, site: { latitude: 48.8 * DEGREE } },
     duration: 3 * HOUR,
-    start: 0,
+    // Where they start the two bobs are one picture.
+    start: 1,
     speed: 1,
   },
   // examples/guelph.toml
