@@ -113,11 +113,17 @@ def test_an_integral_is_read_whole_or_not_at_all() -> None:
     assert isinstance(found, Integrated)
     assert is_zero(found - read(good).lhs)
     assert not is_zero(found - read(good.replace("u^2", "u")).lhs)
+    product = r"\int_{u_2}^{u_1} \frac{h}{1 - u^2} \cdot \frac{du}{u}"
+    in_one = r"\int_{u_2}^{u_1} \frac{h \, du}{(1 - u^2) u}"
+    assert is_zero(read(product).lhs - read(in_one).lhs)
     for wrong in (
         r"\int \frac{du}{1 - u^2}",
         r"\int_{u_2}^{u_1} u",
         r"\int_{u_2}^{u_1} \frac{dx}{1 - u^2}",
         rf"{good} h",
+        r"\int_{u_2}^{u_1} h \cdot \frac{du}{u}",
+        r"\int_{u_2}^{u_1} \frac{h}{u} \frac{du}{u}",
+        r"\int_{u_2}^{u_1}",
     ):
         with pytest.raises(NotationError):
             read(wrong)

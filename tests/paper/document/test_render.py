@@ -17,7 +17,7 @@ from kugelpendel import paper
 from kugelpendel.paper.typeset import latex, mathml, unicode
 from kugelpendel.paper.typeset.breaks import lines, pieces, width
 from kugelpendel.paper.typeset.difference import difference
-from kugelpendel.paper.typeset.tex import Marked, MathList, UnknownTeX, read
+from kugelpendel.paper.typeset.tex import Atom, Marked, MathList, UnknownTeX, read
 
 LANGUAGES = ("de", "en")
 FORMS = ("html", "md", "latex", "text")
@@ -177,6 +177,13 @@ def test_a_bracket_within_a_bracket_is_opened_on_a_narrow_page() -> None:
     assert len(pieces(row.items)) == 2
     assert len(pieces(row.items, 99)) == 1
     assert all(width(MathList(line)) < 16 for line in lines(row.items, 16))
+
+
+def test_a_wide_product_without_brackets_breaks_before_its_dot() -> None:
+    row = read(r"\frac{aaaaaaaaaa}{b} \cdot \frac{c}{dddddddddd}")
+    first, second = pieces(row.items, 16)
+    assert second[0] == row.items[len(first)] == Atom("operator", "·")
+    assert len(pieces(row.items, 99)) == 1
 
 
 def test_differences_are_small() -> None:

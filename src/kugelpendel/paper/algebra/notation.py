@@ -245,16 +245,21 @@ class Reading:
         return Pow(self._quantity(base), exponent), at + 1
 
     def _integral(self, sign: Script, items: tuple[Node, ...]) -> Expr:
-        """All that follows an integral sign is what it is taken of, over du in a numerator."""
+        """All that follows an integral sign is what it is taken of, over du in a numerator.
+
+        It is one fraction, or two with a dot between them.
+        """
         lower, upper = sign.below, sign.above
-        whole = items[0] if len(items) == 1 else None
-        if lower is None or upper is None or not isinstance(whole, Fraction):
-            raise self.refused("has an integral without both bounds, or not of one fraction")
-        over = list(without_spaces(_items(whole.above)))
+        first, last = Integer(1), items[-1] if items else None
+        if len(items) == 3 and isinstance(items[0], Fraction) and items[1] == _DOT:
+            first, items = self._quantity(items[0]), items[2:]
+        if lower is None or upper is None or len(items) != 1 or not isinstance(last, Fraction):
+            raise self.refused("has an integral without both bounds, or not of one fraction or two")
+        over = list(without_spaces(_items(last.above)))
         if over[-2:] != _MEASURE:
             raise self.refused("has an integral that does not end, in its numerator, with du")
         above = self.expression(tuple(over[:-2])) if over[:-2] else Integer(1)
-        integrand = Mul(above, Pow(self.expression(_items(whole.below)), -1))
+        integrand = Mul(first, above, Pow(self.expression(_items(last.below)), -1))
         return Integrated(integrand, self._quantity(lower), self._quantity(upper))
 
     def _power(self, node: Node) -> tuple[Node, Expr]:

@@ -1,4 +1,4 @@
-"""Where a long formula may be broken: before + − = outside brackets, or inside a wide bracket."""
+"""Where a long formula may be broken: before + − = outside brackets, inside wide ones, at dots."""
 
 from __future__ import annotations
 
@@ -21,6 +21,8 @@ from kugelpendel.paper.typeset.tex import (
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+_DOT = Atom("operator", "·")
 
 Piece = tuple[Node, ...]
 """What stays on one line: things side by side."""
@@ -110,10 +112,16 @@ def width(node: Node) -> float:
 
 
 def _opened(piece: Piece, room: float) -> list[Piece]:
-    """Break a piece inside its widest bracket when it is too long for a narrow page."""
-    fences = [item for item in piece if isinstance(item, Fence)]
-    if width(MathList(piece)) <= room or not fences:
+    """Break a piece inside its widest bracket when it is too long for a narrow page.
+
+    One without a bracket is broken before a dot between its factors.
+    """
+    if width(MathList(piece)) <= room:
         return [piece]
+    fences = [item for item in piece if isinstance(item, Fence)]
+    if not fences:
+        at = next((n for n, item in enumerate(piece) if n and item == _DOT), 0)
+        return [piece[:at], piece[at:]] if at else [piece]
     fence = max(fences, key=width)
     at = piece.index(fence)
     inner = pieces(fence.inner.items, room - width(MathList(piece[:at])))

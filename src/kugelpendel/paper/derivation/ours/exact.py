@@ -155,7 +155,7 @@ FORMULAS: tuple[Formula, ...] = (
     claim(
         "C9",
         r"\pi + \frac{\pi\Omega}{\omega} = 2 \int_{u_2}^{u_1} "
-        rf"\frac{{h \, du}}{{(1 - u^2) \sqrt{{{_RIGHT}}}}}",
+        rf"\frac{{h}}{{1 - u^2}} \cdot \frac{{du}}{{\sqrt{{{_RIGHT}}}}}",
         Step(StepKind.INTEGRATE, ("C1", "C3", "C4", "C5")),
         Proof(_over_a_swing(pi + pi * s.Omega / s.omega, _azimuth_rate), _SWINGING),
     ),
