@@ -64,7 +64,7 @@ def path(swing: Example, title: str, description: str, words: tuple[str, str]) -
     words
         What stands at the beginning and at the end.
     """
-    sheet = Drawing("path", 480, 400)
+    sheet = Drawing("path", 520, 400)
     centre, scale = (240.0, 200.0), 185.0 / swing.a
 
     def placed(distance: float, azimuth: float) -> Point:
@@ -83,9 +83,10 @@ def path(swing: Example, title: str, description: str, words: tuple[str, str]) -
     for distance, azimuth in turns:
         sheet.dot(placed(distance, azimuth), 3.5)
     sheet.arrow(arc(centre, scale * swing.a * 1.08, 0.03, end - 0.03), "accent")
-    sheet.words((placed(swing.a, 0)[0] - 44, centre[1] + 20), words[0])
-    x, y = placed(1.0 * swing.a, end)
-    sheet.words((x - 60, y - 10), words[1], "accent")
+    x, y = placed(swing.a, 0)
+    sheet.words((x + 8, y + 16), words[0])
+    x, y = placed(swing.a, end)
+    sheet.words((x - 10, y), words[1], "row accent")
     return sheet.written(title, description)
 
 

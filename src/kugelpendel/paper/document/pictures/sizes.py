@@ -33,7 +33,7 @@ _FACTORS: dict[str, str] = {
 }
 """What each neglected expression is multiplied by where it stands in (13a)."""
 
-_ROOM, _LEFT, _TOP, _DOWN = 300.0, 168.0, 30.0, 34.0
+_ROOM, _LEFT, _TOP, _DOWN = 300.0, 178.0, 30.0, 34.0
 
 
 @dataclass(frozen=True)
@@ -127,7 +127,8 @@ def sizes_drawn(
     for power in range(lowest, 1):
         x = _LEFT + along(10.0**power)
         sheet.path([(x, _TOP - 6), (x, _TOP + _DOWN * len(rows))], "grid")
-        sheet.words((x, _TOP - 12), _share(10.0**power, language), "scale")
+        if power % 2 == 0:  # beside each other the longest would touch
+            sheet.words((x, _TOP - 12), _share(10.0**power, language), "scale")
     for number, (style, name, ratio) in enumerate(rows):
         y = _TOP + _DOWN * number
         sheet.words((_LEFT - 8, y + 17), name, "row")
