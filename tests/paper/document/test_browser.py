@@ -210,16 +210,14 @@ def test_formulas_stay_in_their_column(opened: webdriver.Chrome) -> None:
 
 
 @pytest.mark.parametrize("opened", [*SIZES, *MIDDLING], indirect=True)
-def test_one_formula_at_most_needs_to_be_scrolled(opened: webdriver.Chrome) -> None:
-    """The integral C9, whose root cannot be broken, on the narrowest pages."""
+def test_no_formula_needs_to_be_scrolled(opened: webdriver.Chrome) -> None:
     opened.find_element(By.CSS_SELECTOR, 'button[data-open="yes"]').click()
     over = opened.execute_script(
-        "return [...document.querySelectorAll('main .formula')].map(formula =>"
-        "  formula.scrollWidth - formula.clientWidth).filter(hidden => hidden > 0)"
+        "return [...document.querySelectorAll('main .formula')]"
+        ".filter(formula => formula.scrollWidth > formula.clientWidth)"
+        ".map(formula => formula.closest('.display').id)"
     )
-    width = opened.execute_script("return innerWidth")
-    assert len(over) <= (1 if width < 500 else 0)
-    assert all(hidden < (50 if width < 400 else 10) for hidden in over)
+    assert over == []
 
 
 def test_a_page_is_one_small_file(page: Path) -> None:
@@ -252,6 +250,32 @@ def test_a_handout_is_six_sheets_at_most_and_says_no_misprint(
     shown = {one.get_attribute("id") for one in browser.find_elements(By.CSS_SELECTOR, ".display")}
     numbered = {one.display for one in paper.FORMULAS if one.number and one.section <= 4}
     assert shown == {f"eq-{label}" for label in numbered}
+
+
+def test_no_sheet_begins_with_what_closes_an_equation(
+    browser: webdriver.Chrome, page: Path
+) -> None:
+    """Columns of a sheet's size are filled by the same rules, and tell what stands where."""
+    browser.get(page.as_uri())
+    browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    try:
+        counts = browser.execute_script(
+            "const main = document.querySelector('main');"
+            "main.style.cssText = 'columns: 178mm; column-fill: auto; width: 178mm; height: 261mm';"
+            "const last = [...main.querySelectorAll('details.proof, .step > :last-child')]"
+            "  .filter(one => one.previousElementSibling && one.getClientRects().length);"
+            "const apart = last.filter(one => {"
+            "  const before = [...one.previousElementSibling.getClientRects()].at(-1);"
+            "  return one.getClientRects()[0].left > before.left + 300;"
+            "});"
+            "return [main.scrollWidth / main.clientWidth, last.length, apart.length]"
+        )
+    finally:
+        browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+    sheets, closing, apart = counts
+    assert sheets > 40
+    assert closing > 2 * sheets
+    assert apart == 0
 
 
 def test_the_short_version_prints_on_fewer_sheets(browser: webdriver.Chrome, page: Path) -> None:
@@ -350,3 +374,21 @@ def test_pictures_are_images_and_graphs_are_links(opened: webdriver.Chrome) -> N
     assert roles.count(["img", False]) == 4
     assert roles.count(["group", True]) == 2
     assert len(roles) == 6
+
+
+def test_words_in_pictures_are_whole_and_apart(opened: webdriver.Chrome) -> None:
+    found = opened.execute_script(
+        "const meet = (a, b) => a.left < b.right && b.left < a.right"
+        "  && a.top < b.bottom && b.top < a.bottom;"
+        "return [...document.querySelectorAll('svg.drawing')].map(drawing => {"
+        "  const room = drawing.getBoundingClientRect();"
+        "  const words = [...drawing.querySelectorAll('text')];"
+        "  const boxes = words.map(one => one.getBoundingClientRect());"
+        "  return [boxes.length, words.filter((_, n) =>"
+        "    boxes[n].left < room.left || boxes[n].right > room.right ||"
+        "    boxes.some((box, k) => k !== n && meet(box, boxes[n]))"
+        "  ).map(one => one.textContent)]"
+        "})"
+    )
+    assert [words for _, words in found] == [[], [], [], []]
+    assert sum(count for count, _ in found) > 25
