@@ -42,6 +42,14 @@ def test_every_figure(track: kp.tracks.Track, language: Language) -> None:
         assert box.x0 * figure.dpi > -2
         assert box.x1 * figure.dpi < width + 2
         assert box.y1 * figure.dpi < height + 2
+    # The lines at ±ω end below the legend, whose words they would cross.
+    (axes,) = figures[3].axes
+    legend = axes.get_legend()
+    assert legend is not None
+    swings = [line for line in axes.lines if line.get_linestyle() == ":"]
+    tops = [line.get_window_extent().y1 for line in swings]
+    assert len(tops) == 2
+    assert max(tops) < min(text.get_window_extent().y0 for text in legend.get_texts())
     # The model lies within the errors of what was measured.
     panels = figures[1].axes
     assert len(panels) == 6

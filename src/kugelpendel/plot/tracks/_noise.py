@@ -73,6 +73,7 @@ def spectrum(residuals: xr.Dataset, frequency: float, *, language: Language = "e
         for sign in (-1, 1):
             axes.axvline(
                 sign * frequency,
+                ymax=0.88,  # the legend stands above
                 color=_ink.TEXT,
                 linestyle=":",
                 linewidth=1.2,
