@@ -26,7 +26,9 @@ def azimuths(*factors: float) -> np.ndarray:
     return fundamentals(A, B, *factors)[..., 2]
 
 
-@pytest.mark.parametrize(("a", "b"), [(0.01, 0.003), (0.3, 0.1), (0.9, -0.4), (1.2, 1.2), (1.2, 0.0)])
+@pytest.mark.parametrize(
+    ("a", "b"), [(0.01, 0.003), (0.3, 0.1), (0.9, -0.4), (1.2, 1.2), (1.2, 0.0)]
+)
 def test_the_fundamental_is_that_of_the_exact_motion(a: float, b: float) -> None:
     motion = kp.ExactMotion(kp.Pendulum(LENGTH, GRAVITY), kp.Launch.apsides(a, b))
     times = np.arange(256) * (2 * np.pi / motion.frequency / 256)

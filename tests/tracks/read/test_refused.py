@@ -11,6 +11,7 @@ import kugelpendel as kp
 from kugelpendel.errors import Language
 
 ROWS = [f"{t:.4f};{x:.5f};{y:.5f}" for t, x, y in zip(*motion(), strict=True)]
+OTHERS = ["{0};{2};{1}".format(*row.split(";")) for row in ROWS]
 TWO = ["mass A", "t;x;y", *ROWS, "mass B", "t;x;y", *ROWS]
 ENTITY = '<!DOCTYPE a [<!ENTITY e SYSTEM "file:///etc/hostname">]>'
 
@@ -35,6 +36,10 @@ REFUSED: dict[str, list[tuple[bytes | str | list[str], dict[str, Any]]]] = {
     "track_units_differ": [(["t (s);x (m);y (px)", *ROWS], {})],
     "track_nothing_seen": [(["t;x;y", *(f"{i / 30:.4f};NaN;n/a" for i in range(90))], {})],
     "track_too_few": [(["t;x;y", *ROWS[:7]], {})],
+    "track_times_shared": [
+        (["t;x;y", *ROWS, *OTHERS], {}),
+        (["t;x;y", *(f"{i // 3};{i % 7};{i % 5}" for i in range(99))], {}),
+    ],
     "track_motionless": [(["t;x;y", *(f"{i / 30:.4f};0.31;0.2" for i in range(90))], {})],
     "track_trk": [("<?xml version='1.0'?><a><b></a>", {}), ("<?xml version='1.0'?><a/>", {})],
     "track_trk_entities": [(project(ENTITY, "&e;"), {})],

@@ -15,6 +15,9 @@ LEAST = 10
 _GAP = 1.8
 """Steps that are longer than this many usual ones are gaps: one frame was dropped, or more."""
 
+_SHARED = 0.5
+"""Rows at another place than the first of their time, for each time: more are another pendulum."""
+
 
 def cleaned(time: Numbers, values: Numbers, file: str) -> tuple[Numbers, Numbers, list[Note]]:
     """Sort the rows by time and keep one of each time.
@@ -38,7 +41,7 @@ def cleaned(time: Numbers, values: Numbers, file: str) -> tuple[Numbers, Numbers
     Raises
     ------
     InvalidInput
-        Nothing, or next to nothing, remains.
+        Nothing, or next to nothing, remains; or most times have more than one position.
     """
     notes: list[Note] = []
     if not np.isfinite(values).any():
@@ -59,7 +62,10 @@ def cleaned(time: Numbers, values: Numbers, file: str) -> tuple[Numbers, Numbers
         values == values[np.maximum.accumulate(np.where(first, np.arange(len(time)), 0))]
     ).all(axis=1)
     _note(notes, "rows_doubled", int(alike.sum()))
-    _note(notes, "times_doubled", int((~first & ~alike).sum()))
+    elsewhere, times = int((~first & ~alike).sum()), int(first.sum())
+    if elsewhere > _SHARED * times:
+        raise InvalidInput.of("track_times_shared", file=file, count=elsewhere, times=times)
+    _note(notes, "times_doubled", elsewhere)
     time, values = time[first], values[first]
     if disordered:
         notes.append(Note.of("rows_sorted", count=disordered))
