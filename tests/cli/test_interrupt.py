@@ -50,6 +50,7 @@ COMMANDS = {
     "synth": (["synth", "--rate", "300"], JOB.format(forces=DRAG, duration="40 h", step="1 s")),
     "derive": (["derive", "--format", "html"], None),
     "derive check": (["derive", "--check"], None),
+    "derive German": (["derive", "--format", "html", "--lang", "de"], None),
 }
 
 SETTING = """
@@ -105,7 +106,9 @@ def test_a_command_is_interrupted(name: str, delay: float, tmp_path: Path) -> No
     )
     said = interrupted([sys.executable, "-c", code], delay, tmp_path)
     kept = (
-        r"(interrupted; no file is left half-written|interrupted after .* in out/job-interrupted)"
+        r"abgebrochen; keine Datei ist halb geschrieben"
+        if "de" in words
+        else r"interrupted(; no file is left half-written| after .* in out/job-interrupted)"
     )
     assert re.search(f"^kugelpendel: {kept}", said, re.MULTILINE), said
     # A folder with what is done so far has its manifest, as every folder that a command fills.

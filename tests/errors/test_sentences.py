@@ -27,6 +27,7 @@ CORE: dict[str, Any] = {
     "not_finite": lambda: kp.Suspension(math.nan),
     "not_positive": lambda: kp.Pendulum(-1.0),
     "negative": lambda: kp.Drag(-1.0),
+    "beyond_numbers": lambda: kp.Pendulum(1e51),
     "launch_not_finite": lambda: kp.Launch.ellipse(math.nan, 0.0),
     "launch_angle": lambda: kp.Launch.at_rest(45.0),
     "ellipse_negative": lambda: kp.ExactMotion(P, kp.Launch.ellipse(-0.1, 0.0)),
@@ -142,7 +143,7 @@ def test_no_sentence_for_a_file_speaks_python() -> None:
 def test_numbers_and_words_of_the_kinds_do_not_change() -> None:
     # A status that somebody has kept means the same in every later version.
     assert problem_kinds() == {
-        1: "not_finite", 2: "not_positive", 3: "negative",
+        1: "not_finite", 2: "not_positive", 3: "negative", 4: "beyond_numbers",
         10: "launch_not_finite", 11: "launch_angle", 12: "ellipse_negative",
         13: "ellipse_too_wide", 14: "apsides_too_wide", 15: "apsides_exchanged",
         16: "plane_too_wide", 17: "off_the_sphere", 18: "stretching", 19: "too_fast",

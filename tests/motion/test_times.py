@@ -4,7 +4,16 @@ import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
 
-from kugelpendel import ExactMotion, InvalidInput, Launch, Pendulum, PlaneMotion
+from kugelpendel import (
+    EnvelopeMotion,
+    ExactMotion,
+    InvalidInput,
+    Launch,
+    Pendulum,
+    PlaneMotion,
+    RealMotion,
+    Site,
+)
 
 PENDULUM = Pendulum(1.7, 9.81)
 MOTION = ExactMotion(PENDULUM, Launch.apsides(0.5, 0.2, 0.3))
@@ -89,7 +98,17 @@ def test_extreme_times_stay_on_the_sphere(time: float) -> None:
 
 
 @pytest.mark.parametrize("time", [2e100, -1e308, [0.0, 1e250]])
-def test_no_integration_goes_on_for_ever(time: float | list[float]) -> None:
-    motion = PlaneMotion(PENDULUM, Launch.plane(0.1, 0.2, 0.0, 0.3))
+@pytest.mark.parametrize("kind", [PlaneMotion, RealMotion, EnvelopeMotion])
+def test_nothing_is_followed_for_ever(
+    kind: type[PlaneMotion | RealMotion | EnvelopeMotion], time: float | list[float]
+) -> None:
+    motion = kind(PENDULUM, Launch.plane(0.1, 0.2, 0.0, 0.3))
     with pytest.raises(InvalidInput, match=r"no further than 1e\+100 s from the launch"):
         motion.position(time)
+
+
+def test_an_azimuth_stays_a_number_at_the_last_time() -> None:
+    # Ω t of 1e308 s overflowed, and the position with it.
+    motion = EnvelopeMotion(PENDULUM, Launch.plane(0.1, 0.2, 0.0, 0.3), site=Site(-1.0))
+    assert np.isfinite(motion.azimuth(1e100))
+    assert np.linalg.norm(motion.position(1e100)) == pytest.approx(1.7, rel=1e-14)

@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+import re
 from dataclasses import FrozenInstanceError
 from math import inf, nan, sqrt
 
@@ -9,7 +10,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
 
-from kugelpendel import InvalidInput, Pendulum
+from kugelpendel import ExactMotion, InvalidInput, Launch, Pendulum
 
 
 def test_standard_values() -> None:
@@ -142,3 +143,20 @@ def test_shapes_that_do_not_fit() -> None:
 def test_invalid_input_is_a_value_error() -> None:
     with pytest.raises(ValueError, match="length"):
         Pendulum(-1.0)
+
+
+@pytest.mark.parametrize("what", ["length", "gravity", "mass"])
+@pytest.mark.parametrize("value", [1e51, 1e308, 1e-51, 5e-324])
+def test_what_the_numbers_do_not_hold_is_refused(what: str, value: float) -> None:
+    # Squares of such numbers are inf or 0, and places were not numbers.
+    said = rf"must lie between 1e-50 and 1e\+50 (m|m/s²|kg), .* but it is {re.escape(str(value))}"
+    with pytest.raises(InvalidInput, match=said):
+        Pendulum(**{"length": 1.0, what: value})
+
+
+@pytest.mark.parametrize("value", [1e50, 1e-50])
+def test_to_the_edge_of_the_numbers_all_is_finite(value: float) -> None:
+    motion = ExactMotion(Pendulum(value, value, value), Launch.at_rest(0.2, 0.1))
+    assert np.linalg.norm(motion.position(1.0)) == pytest.approx(value)
+    assert np.isfinite(motion.velocity(1.0)).all()
+    assert np.isfinite(motion.tension(1.0))

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.contour import QuadContourSet
 from matplotlib.figure import Figure
 from numpy.testing import assert_allclose
@@ -91,3 +92,30 @@ def test_lines_lie_where_the_error_is(validity_map: kp.ValidityMap) -> None:
         a, ratio = vertices[:: max(1, len(vertices) // 20)].T
         error = np.asarray(kp.validity(a, a * ratio, 1.0).formula_25)
         assert_allclose(-error, level, rtol=0.03)  # between points 0.005 apart
+
+
+@pytest.mark.parametrize("mark", [(0.6, 0.4), (0.45, 0.2), (0.3, 0.6), (0.05, 0.5), (0.55, 0.9)])
+def test_a_mark_and_its_name_cover_no_label(
+    validity_map: kp.ValidityMap, mark: tuple[float, float]
+) -> None:
+    figure = plot.validity(validity_map, mark, "museum")
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    for axes in figure.axes:
+        point = axes.transData.transform(mark)
+        names = [text for text in axes.texts if text.get_text() == "museum"]
+        for label in axes.texts:
+            if label in names:
+                continue
+            seen = label.get_window_extent(canvas.get_renderer())
+            assert not seen.padded(3.0).contains(*point), (axes.get_title(), label.get_text())
+            for name in names:
+                assert not seen.overlaps(name.get_window_extent(canvas.get_renderer()))
+
+
+def test_on_a_circle_one_height_is_drawn() -> None:
+    # Both turning heights are one; the line is that of the circle in the plan view.
+    circle = kp.ExactMotion(kp.Pendulum(1.0), kp.Launch.apsides(0.3, 0.3))
+    figure = plot.overview(circle, 20.0)
+    (side,) = (axes for axes in figure.axes if axes.get_title().startswith("From the side"))
+    assert [line.get_linestyle() for line in side.lines] == ["--"]

@@ -1,8 +1,8 @@
 //! What is given: refusals as data, the Earth's numbers, and what acts from numbers by their names.
 
 use kugelpendel::{
-    Acting, Bob, Drag, Drive, EnvelopeMotion, ExactMotion, FASTEST, Forces, Invalid, Launch, Pendulum, ROTATION,
-    RealMotion, SMALLEST, Seen, Site, Suspension, Thread, Wire,
+    Acting, Bob, Drag, Drive, EXTREMES, EnvelopeMotion, ExactMotion, FASTEST, Forces, Invalid, Launch, Pendulum,
+    ROTATION, RealMotion, SMALLEST, Seen, Site, Suspension, Thread, Wire,
 };
 use std::collections::BTreeSet;
 
@@ -46,6 +46,22 @@ fn the_range_of_the_numbers_is_named() {
     let rising = Launch::Plane { x: 4.0 * (1.0 - 1e-15), y: 0.0, vx: 1e72, vy: 0.0 };
     // Next to the support's level the bob goes up far faster than outwards.
     assert!(matches!(rising.check(&pendulum), Err(Invalid::TooFast { .. })));
+    for extreme in EXTREMES {
+        assert_eq!(Pendulum { length: extreme, gravity: extreme, mass: extreme }.check(), Ok(()));
+        let beyond = extreme * extreme.sqrt();
+        for pendulum in [
+            Pendulum { length: beyond, ..UNIT },
+            Pendulum { gravity: beyond, ..UNIT },
+            Pendulum { mass: beyond, ..UNIT },
+        ] {
+            let wrong = pendulum.check();
+            assert!(
+                matches!(wrong, Err(Invalid::BeyondNumbers { value, least, most })
+                    if value.value == beyond && [least, most] == EXTREMES),
+                "{wrong:?}"
+            );
+        }
+    }
 }
 
 /// At both ends of the range the motion has the digits that it has elsewhere.

@@ -17,11 +17,14 @@ from kugelpendel.cli.options import CommandParser, Refused
 from kugelpendel.cli.run import arguments as run
 from kugelpendel.cli.synth import arguments as synth
 from kugelpendel.cli.terminal import streams
+from kugelpendel.cli.terminal.interrupted import NOTHING_LEFT
 from kugelpendel.cli.validity import arguments as validity
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Sequence
     from types import FrameType
+
+    from kugelpendel.errors import Language
 
 _BAD_INPUT = 2
 _INTERRUPTED = 130
@@ -77,11 +80,23 @@ def _done(options: argparse.Namespace) -> int:
     except ImportError as error:
         return _refuse(_not_installed(error, options))
     except KugelpendelError as error:
-        return _refuse(error.sentence(door="file"))
+        return _refuse(error.sentence(_language(options), door="file"))
     except KeyboardInterrupt as interruption:
-        kept = str(interruption) or "interrupted; no file is left half-written."
-        streams.complain(kept)
+        streams.complain(str(interruption) or NOTHING_LEFT[_language(options)])
         return _INTERRUPTED
+
+
+def _language(options: argparse.Namespace) -> Language:
+    """The language of a command that has several, where the one asked for is there; or English."""
+    if not hasattr(options, "lang"):
+        return "en"
+    from kugelpendel.cli.terminal.language import known_language
+    from kugelpendel.errors import InvalidInput
+
+    try:
+        return known_language(options.lang)
+    except InvalidInput:  # which is what is being said
+        return "en"
 
 
 def _not_installed(error: ImportError, options: argparse.Namespace) -> str:
@@ -92,7 +107,7 @@ def _not_installed(error: ImportError, options: argparse.Namespace) -> str:
     try:
         require_extra(options.extra, what)
     except MissingExtra as missing:
-        return missing.sentence(door="file")
+        return missing.sentence(_language(options), door="file")
     return f"{what} cannot be run: {error}"
 
 

@@ -16,7 +16,7 @@ from kugelpendel.errors import InvalidInput, MotionEnded
 from kugelpendel.motion._budget import CAUSES, PrecessionBudget
 from kugelpendel.motion._forced import ForcedMotion
 from kugelpendel.motion._kept import kept
-from kugelpendel.motion._times import checked_grid, checked_times
+from kugelpendel.motion._times import checked_grid, followed_times
 from kugelpendel.parameters import (
     ForceParts,
     Forces,
@@ -259,7 +259,7 @@ class EnvelopeMotion(ForcedMotion[Scalar_co]):
         return self.position(float(start) + float(step) * np.arange(size))
 
     def _read(self, what: str, t: ArrayLike, *tail: int) -> Numbers:
-        times = checked_times(t, (tail[0] if tail else 1) * self._count)
+        times = followed_times(t, (tail[0] if tail else 1) * self._count)
         if self.drive is not None and times.size and times.min() < 0:
             raise InvalidInput(
                 f"A driven pendulum cannot be followed back before its launch, but asked for is "

@@ -48,6 +48,26 @@ def checked_times(t: ArrayLike, numbers_each: int) -> Numbers:
     return times
 
 
+_LATEST = 1e100
+"""s: beyond it a time in units of 1/ω0 need not be a number, and no integration gets there."""
+
+
+def followed_times(t: ArrayLike, numbers_each: int) -> Numbers:
+    """The same for a motion that is followed, not read off a closed form: no further than it goes.
+
+    Raises InvalidInput.
+    """
+    times = checked_times(t, numbers_each)
+    first, last = _core.extent(times.ravel()) or (0.0, 0.0)
+    if max(-first, last) > _LATEST:
+        wrong = times[np.abs(times) > _LATEST]
+        raise InvalidInput(
+            f"An integration goes no further than {_LATEST:g} s from the launch, but "
+            f"{wrong.flat[0]} s is asked for; ExactMotion goes to any time."
+        )
+    return times
+
+
 def checked_grid(start: float, step: float, count: int, numbers_each: int) -> int:
     """The count as an int, where the grid makes sense."""
     for name, given in (("start", start), ("step", step)):

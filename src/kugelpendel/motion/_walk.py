@@ -11,10 +11,9 @@ from typing import ClassVar, Protocol, TypeAlias, final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kugelpendel import _core
 from kugelpendel.errors import InvalidInput, MotionEnded
 from kugelpendel.motion._base import MOST_EVENTS, EventKind, Motion
-from kugelpendel.motion._times import checked_grid, checked_times
+from kugelpendel.motion._times import checked_grid, followed_times
 from kugelpendel.parameters import Numbers, Scalar_co, one_number
 
 AskedEvent: TypeAlias = EventKind | tuple[EventKind, float]
@@ -74,10 +73,6 @@ class Leg:
     tension: Numbers
     events: Mapping[AskedEvent, Passages]
     ending: str
-
-
-_LATEST = 1e100
-"""s: beyond it a time in units of 1/ω0 need not be a number, and no integration gets there."""
 
 
 class _Core(Protocol):
@@ -170,15 +165,8 @@ class SteppedMotion(Motion[Scalar_co]):
         return (float(spans[:, 0].max(initial=-inf)), float(spans[:, 1].min(initial=inf)))
 
     def _times(self, t: ArrayLike, numbers_each: int) -> Numbers:
-        times = checked_times(t, numbers_each * self._count)
-        first, last = _core.extent(times.ravel()) or (0.0, 0.0)
-        if max(-first, last) > _LATEST:
-            wrong = times[np.abs(times) > _LATEST]
-            raise InvalidInput(
-                f"An integration goes no further than {_LATEST:g} s from the launch, but "
-                f"{wrong.flat[0]} s is asked for; ExactMotion goes to any time."
-            )
-        self._check_start(first)
+        times = followed_times(t, numbers_each * self._count)
+        self._check_start(float(times.min(initial=0.0)))
         return times
 
     def _shaped(self, filled: tuple[Numbers, Numbers, str], times: Numbers, *tail: int) -> Numbers:
@@ -266,7 +254,7 @@ class Walk:
         """
         motion = self._motion
         end = one_number(until, "until", "s")
-        wanted = checked_times(times, 7).ravel()
+        wanted = followed_times(times, 7).ravel()
         if not self._time <= end < inf:
             raise InvalidInput(
                 f"The walk has come to {self._time:.9g} s and goes on from there, not to {end} s."

@@ -37,7 +37,9 @@ def draw_side(axes: Axes, known: IdealSummary, path: Path, timeline: Timeline) -
         np.column_stack([piece[:, 0], x / horizontal.size, piece[:, 3] / vertical.size])
         for x, piece in zip(along, path.pieces, strict=True)
     ]
-    for turning, colour, style in ((known.high, _ink.OUTER, "--"), (known.low, _ink.INNER, "-")):
+    # On a cone both are one height, told by the colour of the one circle in the plan view.
+    heights = ((known.high, _ink.OUTER, "--"), (known.low, _ink.INNER, "-"))
+    for turning, colour, style in heights[: 1 if known.is_cone else 2]:
         level = turning / vertical.size
         axes.axhline(level, color=colour, linestyle=style, linewidth=1.2, zorder=0.5)
     timeline.draw(axes, seen)

@@ -78,6 +78,8 @@ def test_tables(call, ask) -> None:
 def test_tables_without_checks(call, ask) -> None:
     outcome = call("design", ask(), "--formulas")
     assert rows(outcome.out)["Foucault rate"] == ["−11.522 °/h"]
+    assert rows(outcome.out)["Turning"] == ["By formula"]
+    assert "By RealMotion" not in outcome.out
 
 
 def test_files_and_json(call, ask) -> None:

@@ -79,12 +79,20 @@ def test_lines_of_another_file_are_kept(call, rows: list[str]) -> None:
     assert "choose another folder with --out" in outcome.err
 
 
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "interrupted; {} swings are in {}, and the same command goes on from there."),
+        ("de", "abgebrochen; {} Schwingungen stehen in {}, und derselbe Befehl macht dort weiter."),
+    ],
+)
 def test_interrupted_it_says_what_is_kept_and_goes_on_from_there(
-    call, tmp_path: Path, rows: list[str]
+    call, tmp_path: Path, rows: list[str], language: str, said: str
 ) -> None:
     log, folder = tmp_path / "log.csv", tmp_path / "o"
     log.write_text("".join(rows[:1500]))
     command = [sys.executable, "-m", "kugelpendel", "fit", log, "--follow", "--out", folder]
+    command += ["--lang", language]
     with subprocess.Popen(
         command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     ) as process:
@@ -98,10 +106,7 @@ def test_interrupted_it_says_what_is_kept_and_goes_on_from_there(
     count = len(swings(folder / "swings.csv"))
     assert count >= 3
     assert before.endswith("\n")
-    assert err == (
-        f"kugelpendel: interrupted; {count} swings are in {folder / 'swings.csv'}, and the same "
-        "command goes on from there.\n"
-    )
+    assert err == f"kugelpendel: {said.format(count, folder / 'swings.csv')}\n"
     assert {path.name for path in folder.iterdir()} == {"swings.csv", "follow.json"}
 
     log.write_text("".join(rows))

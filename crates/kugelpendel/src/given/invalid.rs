@@ -72,6 +72,8 @@ kinds! {
     2 NotPositive "not_positive" { value: Seen = "" }
     /// It must be finite and not negative.
     3 Negative "negative" { value: Seen = "" }
+    /// It lies beyond what the numbers hold.
+    4 BeyondNumbers "beyond_numbers" { value: Seen = "", least: f64 = "", most: f64 = "" }
 
     /// A number of the launch must be finite.
     10 LaunchNotFinite "launch_not_finite" { value: Seen = "" }
@@ -167,7 +169,9 @@ pub(crate) fn not_negative(values: &[(&'static str, f64, &'static str)]) -> Resu
     all(values, |value| value >= 0.0 && value.is_finite(), |value| Invalid::Negative { value })
 }
 
-fn all(
+/// # Errors
+/// The first of the values that is not sound, told by `otherwise`.
+pub(crate) fn all(
     values: &[(&'static str, f64, &'static str)],
     sound: impl Fn(f64) -> bool,
     otherwise: impl Fn(Seen) -> Invalid,

@@ -21,7 +21,7 @@ pub use drive::Drive;
 pub use forces::{Acting, Forces, Thread};
 pub use invalid::{Invalid, Seen};
 pub use launch::{FASTEST, Launch, SMALLEST, TOLERANCE};
-pub use pendulum::{Pendulum, STANDARD_GRAVITY};
+pub use pendulum::{EXTREMES, Pendulum, STANDARD_GRAVITY};
 pub use site::{ROTATION, Site};
 pub use suspension::Suspension;
 pub use times::{Quantity, Times};

@@ -1,6 +1,6 @@
 //! The pendulum itself: a point mass on a massless thread.
 
-use crate::given::invalid::{Invalid, positive};
+use crate::given::invalid::{Invalid, all, positive};
 use crate::numbers::arithmetic::Arithmetic;
 use crate::numbers::double_double::Dd;
 
@@ -18,15 +18,23 @@ pub struct Pendulum {
     pub mass: f64,
 }
 
+/// The least and the most that length, gravity and mass may be, in their units: beyond them squares of speeds overflow,
+/// or have no digits left.
+pub const EXTREMES: [f64; 2] = [1e-50, 1e50];
+
 impl Pendulum {
     /// # Errors
-    /// A length, gravity or mass that is not positive and finite.
+    /// A length, gravity or mass that is not positive and finite, or beyond what the numbers hold.
     pub fn check(&self) -> Result<(), Invalid> {
-        positive(&[
+        let values = [
             ("pendulum.length", self.length, "m"),
             ("pendulum.gravity", self.gravity, "m/s²"),
             ("pendulum.mass", self.mass, "kg"),
-        ])
+        ];
+        positive(&values)?;
+        let [least, most] = EXTREMES;
+        let inside = |value: f64| (least..=most).contains(&value);
+        all(&values, inside, |value| Invalid::BeyondNumbers { value, least, most })
     }
 
     /// ω0 = √(g/l), rad/s: the frequency of infinitesimal swings.

@@ -71,7 +71,8 @@ def _compared(job: Job) -> kp.Comparison:
 def _as_json(job: Job, comparison: kp.Comparison) -> str:
     tables: dict[str, Any] = {
         "about": "kugelpendel: each motion beside the exact one; SI units, named in the keys; "
-        "relative errors are approximate over exact, less 1; null is not there",
+        "relative errors are approximate over exact, less 1; amplitude_m is the outer turning "
+        "radius, or the length where the path rises above the support; null is not there",
         "job": job.file.name,
         "duration_s": float(comparison.times[-1]),
         "times_compared": len(comparison.times),

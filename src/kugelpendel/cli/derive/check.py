@@ -43,7 +43,7 @@ def check(
     words = paper.words(chosen)
     target = "" if equation is None else known_label(equation)
     labels = paper.leading_to(target) if target else paper.subjects()
-    with Progress(words.ui("check_proving"), len(labels)) as progress:
+    with Progress(words.ui("check_proving"), len(labels), language=chosen) as progress:
         rows = paper.check(progress=lambda done, total, row: progress.advance(1), labels=labels)
     if is_json:
         write_json(as_json.proofs(rows))

@@ -19,6 +19,8 @@ from kugelpendel.cli.terminal.streams import write_bytes, write_json
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from kugelpendel.errors import Language
+
 FORMATS = {"html": ".html", "md": ".md", "latex": ".tex", "text": ".txt"}
 _STDOUT = Path("-")
 _WIDEST = 100  # signs; longer lines are hard to read
@@ -73,7 +75,7 @@ def handout(language: str | None, out: Path | None) -> None:
 
 
 def write_page(
-    target: str, language: str, out: Path | None, rows: Sequence[paper.Row] | None = None
+    target: str, language: Language, out: Path | None, rows: Sequence[paper.Row] | None = None
 ) -> None:
     """Prove what a page shows, and write the page.
 
@@ -91,7 +93,7 @@ def write_page(
     """
     name = f"derivation-{target.replace(':', '-')}" if target else "derivation"
 
-    def written(chosen: str) -> str:
+    def written(chosen: Language) -> str:
         found = _proved(target, chosen) if rows is None else [one.evidence for one in rows]
         when = f"{date.today().isoformat()}, kugelpendel {version('kugelpendel')}"
         proofs = paper.Proofs(
@@ -104,14 +106,15 @@ def write_page(
     _put(written, language, out or Path(f"{name}.{language}.html"))
 
 
-def _proved(target: str, language: str) -> list[paper.Evidence]:
+def _proved(target: str, language: Language) -> list[paper.Evidence]:
     """Prove every formula that a page shows, under a bar that tells how long it takes."""
     labels = paper.leading_to(target)
-    with Progress(paper.words(language).ui("check_proving"), len(labels)) as progress:
+    title = paper.words(language).ui("check_proving")
+    with Progress(title, len(labels), language=language) as progress:
         return paper.proved(labels, lambda done, total, one: progress.advance(1))
 
 
-def _put(written: Callable[[str], str], language: str, out: Path) -> None:
+def _put(written: Callable[[Language], str], language: Language, out: Path) -> None:
     """Write a page, once it is certain that the file can be written, and say where it is."""
     if out == _STDOUT:
         write_bytes(written(language).encode())

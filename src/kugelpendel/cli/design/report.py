@@ -73,7 +73,10 @@ def _numbers(title: str, answers: list[kp.DesignAnswer]) -> str:
             measured = shown(answer.check.measured, answer)
             off = _off(answer.check)
         rows.append((answer.name, shown(answer.value, answer), measured, off))
-    return numbers((title, "By formula", "By RealMotion", "Off by"), rows, least=_NAMES)
+    headers = (title, "By formula", "By RealMotion", "Off by")
+    if all(answer.check is None for answer in answers):
+        headers, rows = headers[:2], [row[:2] for row in rows]
+    return numbers(headers, rows, least=_NAMES)
 
 
 def _off(check: kp.DesignCheck) -> str:

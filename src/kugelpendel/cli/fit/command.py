@@ -71,7 +71,11 @@ def fit(options: argparse.Namespace) -> int:
 
 def _fit_track(file: Path, asked: Asked, folder: Path | None, *, as_json_only: bool) -> None:
     target = folder if folder is not None else Path("out") / file.stem
-    with Progress("Fitting", _STAGES) as progress, staged(target, FILES) as temporary:
+    title = words(asked.language)["fitting"]
+    with (
+        Progress(title, _STAGES, language=asked.language) as progress,
+        staged(target, FILES) as temporary,
+    ):
         parts = _parts(progress)
         found, profile = _found(file, asked, parts)
         results = as_json.as_json(found)

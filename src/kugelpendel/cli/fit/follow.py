@@ -102,10 +102,8 @@ def follow(file: Path, asked: Asked, folder: Path | None, idle: float = math.inf
                     places.popleft()
                 kept.remember(places[0] if places and places[0].time <= window.start else None)
     except KeyboardInterrupt as interruption:
-        raise Interrupted(
-            f"interrupted; {kept.count} swings are in {target / LINES}, and the same command goes "
-            "on from there."
-        ) from interruption
+        said = words(asked.language)["follow_interrupted"]
+        raise Interrupted(said.format(count=kept.count, file=target / LINES)) from interruption
 
 
 @dataclass(frozen=True)

@@ -105,7 +105,7 @@ def _follow(
     follower = Follower(motion)
     asked = grid.count <= WORTH_A_TRIAL
     with (
-        Progress("Following the pendulum", end, "keeps what is done") as progress,
+        Progress("Following the pendulum", end, "keeps") as progress,
         WRITERS[job.format](path, None) as write,
     ):
         while follower.time < end and not follower.ending and not request.stop:

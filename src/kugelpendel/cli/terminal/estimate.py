@@ -6,12 +6,14 @@ import signal
 import sys
 import time
 from types import FrameType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from kugelpendel.spelling import spell
 
 if TYPE_CHECKING:
     from types import TracebackType
+
+    from kugelpendel.errors import Language
 
 _WORTH_SAYING = 10.0
 """s; jobs that are over sooner say nothing."""
@@ -20,6 +22,20 @@ _TRIAL = 0.5
 """s of work, by which the rest is judged."""
 
 _SIGNALS = (signal.SIGINT, signal.SIGTERM)
+
+CtrlC = Literal["leaves", "keeps"]
+"""Whether Ctrl-C leaves everything as it was, or keeps what is done."""
+
+_SENTENCES: dict[Language, dict[CtrlC, str]] = {
+    "en": {
+        "leaves": "this takes about {}; Ctrl-C leaves everything as it was.",
+        "keeps": "this takes about {}; Ctrl-C keeps what is done.",
+    },
+    "de": {
+        "leaves": "das dauert etwa {}; Strg-C lässt alles, wie es war.",
+        "keeps": "das dauert etwa {}; Strg-C behält, was fertig ist.",
+    },
+}
 
 
 class TimeEstimate:
@@ -33,11 +49,14 @@ class TimeEstimate:
         How much work there is, in any unit.
     ctrl_c
         What Ctrl-C does.
+    language
+        In which it is said.
     """
 
-    def __init__(self, total: float, ctrl_c: str) -> None:
+    def __init__(self, total: float, ctrl_c: CtrlC, language: Language = "en") -> None:
         self._total = total
-        self._ctrl_c = ctrl_c
+        self._sentence = _SENTENCES[language][ctrl_c]
+        self._language: Language = language
         self._first: tuple[float, float] | None = None
         self._said = False
 
@@ -53,8 +72,8 @@ class TimeEstimate:
         self._said = True
         whole = taken * self._total / (done - before)
         if whole > _WORTH_SAYING:
-            sentence = f"this takes about {spell(whole, 's', 2)}; Ctrl-C {self._ctrl_c}."
-            print(f"kugelpendel: {sentence}", file=sys.stderr)
+            whole_time = spell(whole, "s", 2, language=self._language)
+            print(f"kugelpendel: {self._sentence.format(whole_time)}", file=sys.stderr)
 
 
 class StopRequest:

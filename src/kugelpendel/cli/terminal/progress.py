@@ -13,6 +13,9 @@ if TYPE_CHECKING:
 
     import rich.progress
 
+    from kugelpendel.cli.terminal.estimate import CtrlC
+    from kugelpendel.errors import Language
+
 _PATIENCE = 1.0  # s
 
 
@@ -29,15 +32,21 @@ class Progress:
         How much work there is, in the units of `advance`.
     ctrl_c
         What Ctrl-C does, said beside the estimate; None where the work was announced before.
+    language
+        In which the estimate is said; that of the title.
     """
 
     def __init__(
-        self, title: str, total: float, ctrl_c: str | None = "leaves everything as it was"
+        self,
+        title: str,
+        total: float,
+        ctrl_c: CtrlC | None = "leaves",
+        language: Language = "en",
     ) -> None:
         self._title = title
         self._total = total
         self._done = 0.0
-        self._estimate = None if ctrl_c is None else TimeEstimate(total, ctrl_c)
+        self._estimate = None if ctrl_c is None else TimeEstimate(total, ctrl_c, language)
         self._started = time.monotonic()
         self._bar: rich.progress.Progress | None = None
 
