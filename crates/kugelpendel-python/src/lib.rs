@@ -59,4 +59,11 @@ mod _core {
     use crate::portrait::Portraits;
     #[pymodule_export]
     use crate::real::RealMotions;
+    use pyo3::prelude::*;
+
+    /// Finds NumPy's own module while an interruption is still an exception: in the first array it would be a panic.
+    #[pymodule_init]
+    fn find_numpy(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        numpy::get_array_module(module.py()).map(|_| ())
+    }
 }

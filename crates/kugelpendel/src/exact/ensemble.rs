@@ -21,8 +21,20 @@ pub struct Ensemble {
 impl Ensemble {
     /// `case(i)` names the i-th pendulum and launch.
     pub fn new(len: usize, case: impl Fn(usize) -> (Pendulum, Launch) + Sync) -> Self {
+        Self::unless(|| false, len, case)
+    }
+
+    /// The same, of use only if it is not to stop: from then on nothing is solved, and there are no motions to ask for.
+    pub fn unless(
+        stop: impl Fn() -> bool + Sync,
+        len: usize,
+        case: impl Fn(usize) -> (Pendulum, Launch) + Sync,
+    ) -> Self {
         let solve = |block: usize| {
             let first = block * LAUNCHES_PER_BLOCK;
+            if stop() {
+                return Vec::new();
+            }
             ExactMotion::solve_block(first..len.min(first + LAUNCHES_PER_BLOCK), &case)
         };
         let blocks = len.div_ceil(LAUNCHES_PER_BLOCK);
