@@ -242,6 +242,33 @@ def test_years_are_estimated_and_what_is_done_is_kept(write, tmp_path: Path) -> 
     assert not list(tmp_path.glob(".kugelpendel-*"))
 
 
+@pytest.mark.parametrize("moment", ["the figure", "the explanation"])
+def test_interrupted_after_the_last_sample_the_whole_track_is_kept(
+    call, write, monkeypatch: pytest.MonkeyPatch, moment: str
+) -> None:
+    # The track is done; the first Ctrl-C was forgotten then, and the figure drawn to its end.
+    from kugelpendel.cli.run import real
+
+    def interrupted(*given: Any) -> Any:
+        signal.raise_signal(signal.SIGINT)
+        return explained(*given)
+
+    explained = real.explain
+    owner, name = (real, "explain") if moment == "the explanation" else (real.plot, "day")
+    monkeypatch.setattr(owner, name, interrupted)
+    job = REAL | {"output": REAL["output"] | {"figure": True}}
+    outcome = call("run", write(**job), "--out", "out/job")
+    assert outcome.code == 130
+    assert "interrupted after" in outcome.err
+    assert [path.name for path in Path("out").iterdir()] == ["job-interrupted"]
+    kept = Path("out/job-interrupted")
+    assert {path.name for path in kept.glob("[!.]*")} == {"track.csv", "results.json"}
+    results = json.loads((kept / "results.json").read_text(encoding="utf-8"))
+    assert results["output"]["interrupted"] is True
+    rows = np.loadtxt(kept / "track.csv", delimiter=",", skiprows=1)
+    assert len(rows) == results["output"]["samples"] == 601
+
+
 @pytest.mark.parametrize("track_format", ["csv", "netcdf", "parquet"])
 def test_interrupted_tracks_are_whole(
     call, write, monkeypatch: pytest.MonkeyPatch, track_format: str

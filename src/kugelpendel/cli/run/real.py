@@ -9,6 +9,7 @@ whole, and DIR is as it was.
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -74,19 +75,21 @@ def run_real(job: Job, target: Path, title: str) -> tuple[str, str, list[str]]:
     motion = real_motion(job)
     track = FILES[job.format]
     writes = (track, FIGURE, ideal_json.FILE) if job.figure else (track, ideal_json.FILE)
-    with staged(target, _FILES, writes) as temporary, StopRequest() as request:
-        summary, samples = _follow(job, motion, temporary / track, request)
-        stopped = (
-            request.stop and not summary.slack_time < math.inf and summary.until < job.grid.duration
-        )
-        results = RealResults(summary, explain(motion, summary), samples, stopped)
+    with staged(target, _FILES, writes) as temporary:
+        with StopRequest() as request:
+            summary, samples = _follow(job, motion, temporary / track, request)
+            explanation = explain(motion, summary)
+        results = RealResults(summary, explanation, samples, request.stop)
         files = [track]
-        if stopped:
+        if request.stop:
             _keep(job, results, temporary, _aside(target))
         if job.figure and len(summary.apsides.times) > 1:
-            shares = results.explanation.shares
             heading = f"{title}: {describe_launch(job)}"
-            plot.save(plot.day(motion, summary.apsides, shares, heading), temporary / FIGURE)
+            try:
+                figure = plot.day(motion, summary.apsides, explanation.shares, heading)
+                plot.save(figure, temporary / FIGURE)
+            except KeyboardInterrupt:  # the track, which took long, is kept all the same
+                _keep(job, replace(results, stopped=True), temporary, _aside(target))
             files.append(FIGURE)
         text = real_json(job, results, files)
         (temporary / ideal_json.FILE).write_text(text, encoding="utf-8")
