@@ -136,9 +136,9 @@ impl EnvelopeMotions {
 }
 
 /// The fundamental's semi-axes a and b in m and azimuths in rad of averaged motions, three numbers to a time in s, NaN
-/// where a motion has ended. Each begins at t = 0 as an ellipse: a column each of length, gravity; a, b, azimuth; γ, c, Ω_z; δ, χ; Δγ, χd;
-/// and of what multiplies the intrinsic precession. Signs and sizes are free, as a search among them needs it: drag may
-/// bring energy in, and the ground turn faster than the Earth.
+/// where a motion has ended. Each begins at t = 0 as an ellipse: a column each of length, gravity; a, b, azimuth; γ, c,
+/// Ω_z; δ, χ; Δγ, χd; and of what multiplies the intrinsic precession. Signs and sizes are free, as a search among them
+/// needs it: drag may bring energy in, and the ground turn faster than the Earth.
 #[pyfunction]
 pub(crate) fn averaged_fundamentals<'py>(
     py: Python<'py>,
