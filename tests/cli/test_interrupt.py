@@ -112,7 +112,8 @@ def test_a_command_is_interrupted(name: str, delay: float, tmp_path: Path) -> No
     kept = (
         r"abgebrochen; keine Datei ist halb geschrieben"
         if "de" in words
-        else r"interrupted(; no file is left half-written| after .* in out/job-interrupted)"
+        else r"interrupted(; no file is left half-written"
+        r"| before the first sample; nothing is written| after .* in out/job-interrupted)"
     )
     assert re.search(f"^kugelpendel: {kept}", said, re.MULTILINE), said
     # A folder with what is done so far has its manifest, as every folder that a command fills.
