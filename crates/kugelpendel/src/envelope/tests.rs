@@ -56,7 +56,10 @@ fn places_after_a_step_are_those_of_the_swing_there() {
         for share in SHARES {
             let from = form(a, a * share).actions();
             let Some(swing) = Swing::of(from) else { unreachable!("{a}, {share}") };
-            for step in [1e-3, 1e-6, 1e-7, 1e-9, 0.0] {
+            // Just below where the swing itself is looked for, its derivatives leave out 1e-16 l.
+            let edge = (1e-16 / (swing.x + swing.y).powf(1.5)).sqrt().min(0.1);
+            let around = [(0.9 * edge, 1e-16), (0.99 * edge, 1e-16), (1.1 * edge, 0.0)];
+            for (step, left_out) in [1e-3, 1e-6, 1e-7, 1e-9, 0.0].map(|step| (step, 0.0)).into_iter().chain(around) {
                 let to = [from[0] * (1.0 - step), from[1] * (1.0 - 0.3 * step)];
                 let Some(there) = Swing::of(to) else { unreachable!("{a}, {share}, {step}") };
                 for phase in [0.0, 0.7, 2.5] {
@@ -64,7 +67,7 @@ fn places_after_a_step_are_those_of_the_swing_there() {
                     let found = swing.place_after(from.map(f64::sqrt), to.map(f64::sqrt), turn);
                     let expected = there.form.place(turn, |harmonic| harmonic.value);
                     let error = found.map_or(f64::NAN, |found| (found - expected).norm());
-                    assert!(error <= 2e-15 * a.sqrt(), "{a}, {share}, {step}, {phase}: off by {error}");
+                    assert!(error <= 2e-15 * a.sqrt() + left_out, "{a}, {share}, {step}, {phase}: off by {error}");
                 }
             }
         }
