@@ -1,4 +1,5 @@
 from . import olsson as olsson
+from . import plot as plot
 from . import series as series
 from . import tracks as tracks
 from .builder import Design as Design
@@ -88,6 +89,7 @@ __all__ = [
     "ellipse",
     "measured_rates",
     "olsson",
+    "plot",
     "series",
     "tracks",
     "validity",
