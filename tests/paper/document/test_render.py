@@ -135,6 +135,14 @@ def test_page_is_well_formed_and_needs_nothing_else(language: str, target: str) 
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
+def test_a_number_and_its_unit_stand_on_one_line(language: str) -> None:
+    page = document(language, "html")
+    sentences = re.sub(r"<(svg|script|style|math).*?</\1>", "", page, flags=re.DOTALL)
+    assert len(re.findall(r"\d\N{NO-BREAK SPACE}(?:cm|m|%|°)", sentences)) > 20
+    assert re.findall(r"\d (?:mm|cm|m|s|min|h|kg|g|N|%|°)(?!\w).{9}", sentences) == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
 def test_mathml_is_well_formed(language: str) -> None:
     formulas = re.findall(r"<math.*?</math>", document(language, "html"), flags=re.DOTALL)
     assert len(formulas) > 500

@@ -30,6 +30,9 @@ if TYPE_CHECKING:
 _PUNCTUATION = re.compile(r"[,.;:)]+")
 """What must not begin a line after a formula."""
 
+_BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:mm|cm|m|s|min|h|kg|g|N|%|°)(?!\w))")
+"""The blank between a number and its unit."""
+
 _LAST = ("misprints", "conditions")
 """The tables, before which the picture of what rests on what stands."""
 
@@ -131,8 +134,14 @@ def _name_columns(read: Sequence[Token]) -> None:
 
 
 def _glue(read: Iterable[Token]) -> None:
-    """Give each formula within a sentence the sign after it, which must not begin a line."""
+    """Keep together what must not stand on two lines.
+
+    A formula within a sentence has the sign after it, and a number its unit, by a no-break blank.
+    """
     for token in read:
+        for text in token.children or []:
+            if text.type == "text":
+                text.content = _BEFORE_UNIT.sub("\N{NO-BREAK SPACE}", text.content)
         for formula, text in pairwise(token.children or []):
             match = _PUNCTUATION.match(text.content)
             if formula.type == "math_inline" and text.type == "text" and match:
