@@ -20,7 +20,10 @@ from tests.fuzz.mutate import bases, mutated
 from kugelpendel.cli import main
 
 PATIENCE = 20.0
-"""s: who has heard nothing of how long it takes has waited long enough."""
+"""s of the processor: who has heard nothing of how long it takes has waited long enough."""
+
+STANDSTILL = 15
+"""Times as long on the clock, in which even the busiest machine gets something done."""
 
 KEPT = "what was here before"
 
@@ -63,7 +66,9 @@ def _fault(folder: Path, command: str, data: bytes, options: tuple[str, ...]) ->
             warnings.simplefilter("ignore")
             code = main(arguments)
     except TooLong:
-        return None if said.getvalue().strip() else f"no estimate within {PATIENCE:g} s"
+        return (
+            None if said.getvalue().strip() else f"no estimate within {PATIENCE:g} s of processor"
+        )
     except SystemExit as leave:
         code = leave.code
     except BaseException:  # noqa: BLE001 — any of them is what is looked for
@@ -110,18 +115,28 @@ def _nan(value: Any, where: str = "") -> str | None:
 
 @contextlib.contextmanager
 def patience(seconds: float) -> Iterator[None]:
-    """Raise `TooLong` into a block that lasts longer."""
+    """Raise `TooLong` into a block that takes more processor time, or stands still for long.
+
+    Processor time does not count what else a busy machine does.
+    """
 
     def wake(number: int, frame: object) -> None:
         raise TooLong
 
-    before = signal.signal(signal.SIGALRM, wake)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
+    clocks = {
+        signal.ITIMER_PROF: (signal.SIGPROF, seconds),
+        signal.ITIMER_REAL: (signal.SIGALRM, STANDSTILL * seconds),
+    }
+    before = {number: signal.signal(number, wake) for number, _ in clocks.values()}
+    for clock, (_, limit) in clocks.items():
+        signal.setitimer(clock, limit)
     try:
         yield
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
+        for clock in clocks:
+            signal.setitimer(clock, 0)
+        for number, handler in before.items():
+            signal.signal(number, handler)
 
 
 def all_faults(count: int, seed: int, tick: Callable[[], None]) -> list[tuple[str, bytes, str]]:
