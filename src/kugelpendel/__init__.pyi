@@ -1,5 +1,6 @@
 from . import olsson as olsson
 from . import series as series
+from . import sweeps as sweeps
 from . import tracks as tracks
 from .builder import Design as Design
 from .builder import DesignAnswer as DesignAnswer
@@ -43,6 +44,8 @@ from .parameters import Pendulum as Pendulum
 from .parameters import Site as Site
 from .parameters import Suspension as Suspension
 from .parameters import Wire as Wire
+from .sweeps import Sweep as Sweep
+from .sweeps import sweep as sweep
 
 __version__: str
 
@@ -79,6 +82,7 @@ __all__ = [
     "Site",
     "Spectrum",
     "Suspension",
+    "Sweep",
     "Validity",
     "ValidityMap",
     "Wire",
@@ -89,6 +93,8 @@ __all__ = [
     "measured_rates",
     "olsson",
     "series",
+    "sweep",
+    "sweeps",
     "tracks",
     "validity",
     "validity_map",
