@@ -4,6 +4,7 @@ What a sweep is, and its cases from their index, are in `cases`; `_store` keeps 
 does some cases at a time, `_run` has this process do them and `_cluster` others.
 """
 
+from kugelpendel.sweeps._chunk import chunk_for as chunk_for
 from kugelpendel.sweeps._chunk import results_of as results_of
 from kugelpendel.sweeps._chunk import why as why
 from kugelpendel.sweeps._dataset import dataset_of as dataset_of

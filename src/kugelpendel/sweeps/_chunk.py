@@ -21,7 +21,13 @@ from kugelpendel.sweeps._store import (
     opened,
     reduced_arrays,
 )
-from kugelpendel.sweeps.cases import Sweep, motions
+from kugelpendel.sweeps.cases import (
+    Sweep,
+    core_seconds,
+    motions,
+    tried_core_seconds,
+    usual_chunk,
+)
 
 _PIECE = 1 << 17
 """Cases whose motions are in memory at once."""
@@ -59,6 +65,21 @@ def results_of(sweep: Sweep, start: int, stop: int) -> tuple[dict[str, Numbers],
     if sweep.motion != "exact" and times.size:
         status[(status == GOOD) & _ended(motion, times[-1])] = ENDED
     return found, status
+
+
+def chunk_for(sweep: Sweep) -> int:
+    """Cases of a chunk: as the sweep says, or about a second of work for one core.
+
+    That of exact motions is known; others take a fiftieth to fifty times of what is usual, and are
+    tried.
+    """
+    if sweep.chunk is not None:
+        return sweep.chunk
+    if sweep.motion == "exact":
+        return usual_chunk(sweep, core_seconds(sweep))
+    return usual_chunk(
+        sweep, tried_core_seconds(sweep, lambda start, stop: results_of(sweep, start, stop))
+    )
 
 
 def why(sweep: Sweep, index: int) -> str:

@@ -214,10 +214,9 @@ def _reduced(
         found[f"{name}_quantile"] = xr.Variable(("quantile", *tail), values, noted)
     if "histograms" in sweep.keep:
         filled = np.flatnonzero(counts.reshape(len(counts), -1).sum(axis=1))
-        within = slice(int(filled[0]), int(filled[-1]) + 1) if filled.size else slice(0, 0)
-        lower, upper = edges(np.arange(len(counts))[within])
+        lower, upper = edges(filled)
         along = f"{name}_bin"
-        found[f"{name}_histogram"] = xr.Variable((along, *tail), counts[within], plain)
+        found[f"{name}_histogram"] = xr.Variable((along, *tail), counts[filled], plain)
         found[f"{name}_lower"] = xr.Variable(along, lower, noted)
         found[f"{name}_upper"] = xr.Variable(along, upper, noted)
     return found

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kugelpendel.parameters import Numbers
+from kugelpendel.sweeps.cases._cost import LEAF, bytes_each
 
 if TYPE_CHECKING:
     from kugelpendel.sweeps.cases import Sweep
@@ -40,37 +41,44 @@ _BINS_STORED = 4096
 
 
 def moments(values: Numbers) -> Numbers:
-    """The fields of values: shape (fields, *tail) for values of shape (n, *tail); NaN is left out."""
-    finite = np.isfinite(values)
-    count = finite.sum(axis=0).astype(np.float64)
-    filled = np.where(finite, values, 0.0)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        mean = filled.sum(axis=0) / count
-    apart = np.where(finite, values - np.where(count > 0, mean, 0.0), 0.0)
+    """The fields of values: shape (fields, *tail) for values of shape (n, *tail); NaN is left out.
+
+    Those of each 64 values are combined as `combined` does. So the fields of a set do not depend on
+    the pieces in which it came, where each piece but the last has a power of two of values, 64 or
+    more.
+    """
+    short = -len(values) % LEAF
+    padded = np.concatenate([values, np.full((short, *values.shape[1:]), np.nan)])
+    leaves = padded.reshape(-1, LEAF, *values.shape[1:])
+    finite = np.isfinite(leaves)
+    count = finite.sum(axis=1).astype(np.float64)
+    filled = np.where(finite, leaves, 0.0)
+    mean = filled.sum(axis=1) / np.maximum(count, 1.0)
+    apart = np.where(finite, filled - mean[:, np.newaxis], 0.0)
     square = apart * apart
-    return np.stack(
-        [
-            count,
-            np.isinf(values).sum(axis=0).astype(np.float64),
-            np.where(count > 0, mean, 0.0),
-            square.sum(axis=0),
-            (square * apart).sum(axis=0),
-            (square * square).sum(axis=0),
-            np.where(finite, values, np.inf).min(axis=0, initial=np.inf),
-            np.where(finite, values, -np.inf).max(axis=0, initial=-np.inf),
-        ]
-    )
+    fields = [
+        count,
+        np.isinf(leaves).sum(axis=1).astype(np.float64),
+        mean,
+        square.sum(axis=1),
+        (square * apart).sum(axis=1),
+        (square * square).sum(axis=1),
+        np.where(finite, leaves, np.inf).min(axis=1, initial=np.inf),
+        np.where(finite, leaves, -np.inf).max(axis=1, initial=-np.inf),
+    ]
+    return combined(np.stack(fields, axis=1))
 
 
 def combined(parts: Numbers) -> Numbers:
     """The fields of the union of sets: (fields, *tail) for parts of shape (sets, fields, *tail).
 
-    Neighbours are combined in pairs, and the pairs in pairs. Source: P. Pébay, Formulas for robust
+    Neighbours are combined in pairs, and the pairs in pairs; one without a neighbour waits for the
+    next round. Source: P. Pébay, Formulas for robust
     one-pass parallel computation of covariances and arbitrary-order statistical moments, Sandia
     Report SAND2008-6212 (2008), eq. (1.3) to (1.6) for two sets.
     """
     if len(parts) == 0:
-        return moments(np.empty((0, *parts.shape[2:])))
+        return moments(np.full((1, *parts.shape[2:]), np.nan))
     while len(parts) > 1:
         paired = len(parts) // 2 * 2
         pairs = _united(parts[0:paired:2], parts[1:paired:2])
@@ -123,14 +131,12 @@ def quantiles(counts: NDArray[np.int64], shares: Numbers) -> Numbers:
     return found.reshape(len(shares), *counts.shape[1:])
 
 
-def bytes_reduced(sweep: Sweep) -> int:
-    """Bytes that the reductions of a sweep take, about."""
-    from kugelpendel.sweeps.cases._cost import bytes_each
-
+def bytes_reduced(sweep: Sweep, chunks: int) -> int:
+    """Bytes that the reductions of a sweep in so many chunks take, about."""
     each = (8 * len(FIELDS) if "moments" in sweep.keep else 0) + (
         _BINS_STORED if {"quantiles", "histograms"} & set(sweep.keep) else 0
     )
-    return each * bytes_each(sweep) // 8 * sweep.chunks
+    return each * bytes_each(sweep) // 8 * chunks
 
 
 def _size(size: NDArray[np.int64]) -> Numbers:

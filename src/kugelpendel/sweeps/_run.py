@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 
 from kugelpendel.parameters import require_type
-from kugelpendel.sweeps._chunk import Done, do_chunk
+from kugelpendel.sweeps._chunk import Done, chunk_for, do_chunk
 from kugelpendel.sweeps._store import REFUSED, SweepStore, kept_store, writing
 from kugelpendel.sweeps.cases import Sweep
 
@@ -67,7 +67,7 @@ def sweep(
     from kugelpendel.sweeps._dataset import dataset_of
 
     folder = Path(out).absolute()
-    with kept_store(folder, spec) as store:
+    with kept_store(folder, spec, lambda: chunk_for(spec)) as store:
         for _ in progressed(store, client, progress):
             pass
     return dataset_of(store)

@@ -14,7 +14,7 @@ import os
 import secrets
 import shutil
 import sys
-from collections.abc import Generator, Mapping
+from collections.abc import Callable, Generator, Mapping
 from contextlib import contextmanager
 from functools import cached_property, lru_cache
 from importlib import import_module
@@ -28,7 +28,7 @@ from numpy.typing import NDArray
 from kugelpendel.errors import InvalidInput, KugelpendelError, require_extra
 from kugelpendel.parameters import Numbers
 from kugelpendel.sweeps._reductions import BINS, FIELDS
-from kugelpendel.sweeps.cases import Sweep, bytes_kept
+from kugelpendel.sweeps.cases import Sweep, bytes_kept, where
 
 NAME = "sweep.zarr"
 """The store, in the folder of a sweep."""
@@ -65,6 +65,7 @@ class SweepStore:
             noted = json.loads((path / "zarr.json").read_text(encoding="utf-8"))["attributes"]
             about = noted["kugelpendel"]
             self.sweep = Sweep.from_json(about["sweep"])
+            self.chunk_size = int(about["chunk"])
             self.versions: dict[str, str] = about["versions"]
         except (OSError, ValueError, LookupError, TypeError) as error:
             raise InvalidInput.of("sweep_no_store", folder=str(path)) from error
@@ -83,14 +84,19 @@ class SweepStore:
     def _arrays(self) -> Any:
         return lru_cache(maxsize=None)(lambda name: self.group[name])
 
+    @property
+    def chunks(self) -> int:
+        """How many chunks there are; the last may be smaller than the others."""
+        return -(-self.sweep.size // self.chunk_size)
+
     def bounds(self, chunk: int) -> tuple[int, int]:
         """The first case of a chunk, and the one after its last."""
-        size = self.sweep.chunk_size
+        size = self.chunk_size
         return chunk * size, min((chunk + 1) * size, self.sweep.size)
 
     def done(self) -> NDArray[np.bool_]:
         """Which chunks are done: those that have their mark."""
-        mask = np.zeros(self.sweep.chunks, dtype=bool)
+        mask = np.zeros(self.chunks, dtype=bool)
         marks = self.path / "done" / "c"
         if marks.is_dir():
             with os.scandir(marks) as found:
@@ -146,8 +152,19 @@ class SweepStore:
 
 
 @contextmanager
-def kept_store(folder: Path, sweep: Sweep) -> Generator[SweepStore]:
+def kept_store(
+    folder: Path, sweep: Sweep, chunk: Callable[[], int]
+) -> Generator[SweepStore]:
     """Lend the store of a sweep in a folder, made or continued, that nobody else may write to.
+
+    Parameters
+    ----------
+    folder
+        Of the sweep; made where it is not there.
+    sweep
+        What it is to hold.
+    chunk
+        Says how many cases a chunk of a new store has.
 
     Raises
     ------
@@ -166,7 +183,7 @@ def kept_store(folder: Path, sweep: Sweep) -> Generator[SweepStore]:
             store = _continued(path, sweep)
         else:
             _refuse_without_room(folder, sweep)
-            _create(path, sweep)
+            _create(path, sweep, chunk())
             store = SweepStore(path)
         store.clean()
         yield store
@@ -229,7 +246,7 @@ def _differences(stored: Sweep, asked: Sweep) -> list[str]:
         for plain in (one, other)
     )
     names = [*one_given, *(name for name in other_given if name not in one_given)]
-    changed = [name for name in names if one_given.get(name) != other_given.get(name)]
+    changed = [where(name) for name in names if one_given.get(name) != other_given.get(name)]
     return [*changed, *differing] or ["the order of what varies"]
 
 
@@ -245,27 +262,29 @@ def _refuse_without_room(folder: Path, sweep: Sweep) -> None:
         )
 
 
-def _create(path: Path, sweep: Sweep) -> None:
+def _create(path: Path, sweep: Sweep, chunk: int) -> None:
     """Make an empty store; it gets its name when it is whole."""
     zarr = _zarr()
     hidden = path.with_name(f".{NAME}-{secrets.token_hex(6)}")
     try:
-        about = {"format": _FORMAT, "sweep": sweep.as_json(), "digest": sweep.digest}
+        about = {
+            "format": _FORMAT, "sweep": sweep.as_json(), "digest": sweep.digest, "chunk": chunk,
+        }  # fmt: skip
         group = zarr.create_group(
             store=zarr.storage.LocalStore(hidden),
             attributes={"kugelpendel": {**about, "versions": _versions()}},
         )
-        _create_arrays(group, sweep)
+        _create_arrays(group, sweep, chunk)
         hidden.rename(path)
     finally:
         shutil.rmtree(hidden, ignore_errors=True)
 
 
-def _create_arrays(group: Any, sweep: Sweep) -> None:
+def _create_arrays(group: Any, sweep: Sweep, chunk: int) -> None:
     from kugelpendel.sweeps._quantities import QUANTITIES
 
-    chunks, cases = sweep.chunks, sweep.size
-    size = min(sweep.chunk_size, cases)
+    chunks, cases = -(-sweep.size // chunk), sweep.size
+    size = min(chunk, cases)
     make = group.create_array
     times = np.asarray(sweep.times, dtype=np.float64)
     for name in sweep.quantities:

@@ -4,10 +4,13 @@ import copy
 import pickle
 from typing import Any
 
+import numpy as np
 import pytest
 
 import kugelpendel as kp
 from kugelpendel.sweeps import Listed, Normal, Spaced, Uniform
+from kugelpendel.sweeps.cases import usual_chunk
+from kugelpendel.sweeps.cases._cost import LEAF
 
 GIVEN: dict[str, dict[str, Any]] = {
     "pendulum": {"length": 1.0},
@@ -40,27 +43,28 @@ def test_equal_descriptions_have_one_fingerprint() -> None:
     for changed in (
         made({"pendulum": {"length": 1.0 + 2**-52, "gravity": 9.8}}),
         made({"pendulum": {"gravity": 9.8}}, quantities=("frequency",)),
-        made({"pendulum": {"gravity": 9.8}}, chunk=1),
         made({"pendulum": {"gravity": 9.8}}, keep=("moments",)),
     ):
         assert changed.digest != one.digest
         assert changed != one
 
 
-def test_chunks_cover_all_cases() -> None:
-    sweep = made({"launch": {"a": Spaced(0.1, 0.2, 10)}}, chunk=4)
-    assert sweep.chunks == 3
-    assert sweep.chunk_size == 4
+def test_chunks_are_no_part_of_it() -> None:
+    one, other = made(chunk=4), made()
+    assert one == other
+    assert one.digest == other.digest
+    assert pickle.loads(pickle.dumps(one)).chunk == 4
 
 
-def test_the_usual_chunk_follows_from_the_description_alone() -> None:
-    """So that the same description is the same store on every machine."""
-    assert made().chunk_size == 1 << 21
-    averaged = made({"site": {"latitude": 0.8}}, motion="averaged", quantities=("azimuth",),
-                    times=(86400.0,))  # fmt: skip
-    assert averaged.chunk_size == 1 << 14
-    real = made({"site": {"latitude": 0.8}}, motion="real", quantities=("azimuth",), times=(200.0,))
-    assert real.chunk_size == 1 << 11
+def test_the_usual_chunk_takes_about_a_second() -> None:
+    for seconds in (0.3e-6, 1e-5, 1e-3, 0.1):
+        chunk = usual_chunk(made(), seconds)
+        assert chunk & (chunk - 1) == 0
+        assert 0.5 <= chunk * seconds <= 2.0
+    many = made(quantities=("azimuth",), times=tuple(np.arange(1.0, 1000.0)))
+    assert usual_chunk(many, 1e-6) * 8 * 999 < 1 << 26  # bytes
+    reduced = made(keep=("moments",))
+    assert usual_chunk(reduced, 10.0) == LEAF
 
 
 REFUSED: dict[str, tuple[Any, str]] = {
@@ -84,7 +88,8 @@ REFUSED: dict[str, tuple[Any, str]] = {
     "count of a grid": (lambda: made(count=10), "A grid counts itself, but a count of 10 is given; "),
     "count": (lambda: made({"launch": {"a": Uniform(0.1, 0.2)}}, design="sample", count=0), "count must be a whole number of at least 1, but it is 0."),
     "seed": (lambda: made(seed=-1), "seed must be a whole number of at least 0, but it is -1."),
-    "chunk": (lambda: made(chunk=0), "chunk must be a whole number of at least 1, but it is 0."),
+    "chunk": (lambda: made(chunk=48), "The cases of a chunk must be a power of two of at least 1, but they are 48; "),
+    "chunk of a reduction": (lambda: made(chunk=32, keep=("moments",)), "The cases of a chunk must be a power of two of at least 64, but they are 32; "),
     "power of two": (lambda: made({"launch": {"a": Uniform(0.1, 0.2)}}, design="sobol", count=100), "A Sobol design needs a power of two of base points, 2^30 at most, but the count is 100; take 64."),
     "keep": (lambda: made(keep=("all", "moments")), "keep must be 'all', or some of moments, quantiles, histograms, but it is all, moments."),
     "quantities": (lambda: made(quantities=()), "A sweep reads one quantity or more, "),

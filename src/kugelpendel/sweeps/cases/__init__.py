@@ -2,6 +2,8 @@
 
 from kugelpendel.sweeps.cases._cost import bytes_kept as bytes_kept
 from kugelpendel.sweeps.cases._cost import core_seconds as core_seconds
+from kugelpendel.sweeps.cases._cost import tried_core_seconds as tried_core_seconds
+from kugelpendel.sweeps.cases._cost import usual_chunk as usual_chunk
 from kugelpendel.sweeps.cases._laws import Law as Law
 from kugelpendel.sweeps.cases._laws import Listed as Listed
 from kugelpendel.sweeps.cases._laws import Normal as Normal
@@ -12,3 +14,4 @@ from kugelpendel.sweeps.cases._pendulums import assembled as assembled
 from kugelpendel.sweeps.cases._pendulums import motions as motions
 from kugelpendel.sweeps.cases._sweep import MOST_CASES as MOST_CASES
 from kugelpendel.sweeps.cases._sweep import Sweep as Sweep
+from kugelpendel.sweeps.cases._sweep import where as where

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import isfinite, prod
 from typing import Any, Literal, TypeAlias, cast, get_args
@@ -14,6 +14,7 @@ import numpy as np
 
 from kugelpendel.errors import InvalidInput
 from kugelpendel.parameters import Launch, Numbers, Scalars, one_number
+from kugelpendel.sweeps.cases._cost import LEAF
 from kugelpendel.sweeps.cases._indexed import grid_cases, grid_stretch, sample_cases, sobol_cases
 from kugelpendel.sweeps.cases._laws import LAWS, Law, Normal, Spaced, Uniform, stored_law
 from kugelpendel.sweeps.cases._pendulums import UNITS, WORDS, Table
@@ -62,8 +63,9 @@ class Sweep:
         "all", or any of "moments", "quantiles" and "histograms" of all good cases, which need no
         more than some kilobytes for each chunk.
     chunk
-        Cases that are done and stored together; by default some half to two seconds of work for one
-        core. Moments are summed chunk by chunk, so it belongs to what is described.
+        Cases that are done and stored together, a power of two, where a new store is made; by default
+        about a second of work for one core, from a trial. It changes no result and is no part of what
+        is described: a store keeps its own.
 
     Raises
     ------
@@ -110,12 +112,9 @@ class Sweep:
         _check_quantities(self)
         if self.size > MOST_CASES:
             raise _too_many(self)
-        if self.chunk is None:
-            from kugelpendel.sweeps.cases._cost import usual_chunk
-
-            object.__setattr__(self, "chunk", usual_chunk(self))
-        elif not _is_whole(self.chunk, 1):
-            raise InvalidInput.of("sweep_whole", name="chunk", least=1, seen=repr(self.chunk))
+        chunk, least = self.chunk, 1 if self.keeps_all else LEAF
+        if chunk is not None and not (_is_whole(chunk, least) and chunk & (chunk - 1) == 0):
+            raise InvalidInput.of("sweep_chunk", seen=repr(chunk), least=least)
 
     @cached_property
     def varied(self) -> dict[str, Law]:
@@ -150,16 +149,6 @@ class Sweep:
     def block(self) -> int:
         """Cases for each base point of a Sobol design."""
         return (2 if self.second_order else 1) * len(self.varied) + 2
-
-    @property
-    def chunks(self) -> int:
-        """How many chunks there are; the last may be smaller than the others."""
-        return -(-self.size // self.chunk_size)
-
-    @property
-    def chunk_size(self) -> int:
-        """Cases that are done and stored together."""
-        return cast("int", self.chunk)
 
     @property
     def keeps_all(self) -> bool:
@@ -226,7 +215,7 @@ class Sweep:
             law = isinstance(value, list)
             given.setdefault(section, {})[key] = stored_law(*value) if law else value
         rest = ("design", "motion", "quantities", "times", "count", "seed", "second_order")
-        return cls(given, **{key: stored[key] for key in (*rest, "keep", "chunk")})
+        return cls(given, **{key: stored[key] for key in (*rest, "keep")})
 
     @cached_property
     def digest(self) -> str:
@@ -251,7 +240,6 @@ class Sweep:
             "seed": self.seed,
             "second_order": self.second_order,
             "keep": list(self.keep),
-            "chunk": self.chunk,
         }
 
     def __eq__(self, other: object) -> bool:
@@ -261,7 +249,12 @@ class Sweep:
         return hash(self.digest)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (Sweep.from_json, (self.as_json(),))
+        return (_again, (self.as_json(), self.chunk))
+
+
+def _again(text: str, chunk: int | None) -> Sweep:
+    """A sweep out of a pickle."""
+    return replace(Sweep.from_json(text), chunk=chunk)
 
 
 def where(name: str) -> str:
