@@ -17,6 +17,7 @@ PAGES = {
     "README.md": markdown((schema.PENDULUM, schema.LAUNCH, schema.OUTPUT)),
     "docs/real.md": markdown(schema.FORCES, CLASSES),
     "docs/design.md": markdown((schema.SWING, schema.WIRE, schema.QUESTIONS)),
+    "docs/sweeps.md": markdown((schema.SWEEP,)),
 }
 """The table of each page."""
 
