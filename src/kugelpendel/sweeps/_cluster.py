@@ -55,11 +55,13 @@ def local_workers(count: int) -> Generator[Any]:
         client = distributed.Client(cluster, set_as_default=False)
     try:
         yield client
-    finally:
-        with suppress(Exception):
-            client.close(timeout=2)
-        with suppress(Exception):
-            cluster.close(timeout=2)
+    except KeyboardInterrupt:
+        # The process ends, and its workers with it; to close them first takes seconds.
+        raise
+    except BaseException:
+        _close(client, cluster)
+        raise
+    _close(client, cluster)
 
 
 @contextmanager
@@ -82,9 +84,12 @@ def workers_of(address: str) -> Generator[Any]:
         ) from error
     try:
         yield client
-    finally:
-        with suppress(Exception):
-            client.close(timeout=2)
+    except KeyboardInterrupt:
+        raise
+    except BaseException:
+        _close(client)
+        raise
+    _close(client)
 
 
 def done_by(client: Any, store: SweepStore, missing: list[int]) -> Iterator[Done]:
@@ -109,7 +114,7 @@ def done_by(client: Any, store: SweepStore, missing: list[int]) -> Iterator[Done
             future.add_done_callback(arrived.put)
             return
 
-    with _dropped(client, flying):
+    with _dropped(flying):
         for _ in range(AHEAD * count):
             submit()
         without = 0.0
@@ -207,17 +212,25 @@ def _address(client: Any) -> str:
 
 
 @contextmanager
-def _dropped(client: Any, flying: set[Any]) -> Generator[None]:
-    """Take back what is in flight when the block ends for whatever reason."""
+def _dropped(flying: set[Any]) -> Generator[None]:
+    """Take back what is in flight when the block ends, without waiting for the scheduler."""
     try:
         yield
     finally:
-        if flying:
-            with suppress(Exception):
-                client.cancel(list(flying), force=True)
+        for future in flying:
+            future.release()
+
+
+def _close(*what: Any) -> None:
+    """Close a client and its cluster, which may be gone."""
+    for each in what:
+        with suppress(Exception):
+            each.close(timeout=2)
 
 
 def _quiet() -> None:
     """Leave it to this package to say what is wrong."""
+    # An interrupted process leaves semaphores, which are cleaned up, to a process that says so.
+    os.environ.setdefault("PYTHONWARNINGS", "ignore::UserWarning:multiprocessing.resource_tracker")
     for name in ("distributed", "tornado", "asyncio"):
         logging.getLogger(name).setLevel(logging.CRITICAL)

@@ -146,7 +146,7 @@ def _lazy(
         flat = np.zeros((), dtype=np.int64)
         for index, size in zip(at, shape, strict=True):
             flat = np.add.outer(flat * size, index)
-        found = _rows(array, flat.ravel()).reshape(*flat.shape, *widths)
+        found = _rows(array, flat.ravel()).reshape((*flat.shape, *widths))
         return np.asarray(found[(..., *rest)]) if rest else found
 
     return xr.Variable((*dims, *tail), _lazily(get, (*shape, *widths), array.dtype), noted)

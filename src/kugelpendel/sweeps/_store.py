@@ -256,8 +256,8 @@ def _refuse_without_room(folder: Path, sweep: Sweep) -> None:
         raise InvalidInput.of(
             "sweep_no_room",
             folder=str(folder),
-            needed=(float(needed), "B"),
-            free=(float(free), "B"),
+            needed=(needed / 1e9, "GB"),
+            free=(free / 1e9, "GB"),
             count=float(sweep.size),
         )
 

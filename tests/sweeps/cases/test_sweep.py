@@ -74,6 +74,8 @@ REFUSED: dict[str, tuple[Any, str]] = {
     "word": (lambda: made(design="lattice"), "design must be one of 'grid', 'sample', 'sobol', but it is 'lattice'."),
     "kind": (lambda: made({"launch": {"kind": "circle"}}), "[launch] kind must be one of 'ellipse', "),
     "missing": (lambda: kp.Sweep({"launch": {"kind": "ellipse"}}, "grid", "exact", ("period",)), "A sweep needs [pendulum] length; "),
+    "missing of a launch": (lambda: kp.Sweep({"pendulum": {"length": Listed((1.0,))}, "launch": {"kind": "ellipse", "a": 0.1}}, "grid", "exact", ("period",)), "A sweep needs [launch] b; "),
+    "wrong for all": (lambda: made({"pendulum": {"length": -1.0}}), "The pendulum's length must be positive"),
     "empty list": (lambda: made({"launch": {"a": Listed(())}}), "The list of [launch] a is empty; "),
     "empty range": (lambda: made({"launch": {"a": Spaced(0.1, 0.1, 5)}}), "The range of [launch] a is empty: it goes from 0.1 to 0.1 with a count of 5; "),
     "range of one": (lambda: made({"launch": {"a": Spaced(0.1, 0.2, 1)}}), "The range of [launch] a is empty: it goes from 0.1 to 0.2 with a count of 1; "),
@@ -96,7 +98,7 @@ REFUSED: dict[str, tuple[Any, str]] = {
     "quantity": (lambda: made(quantities=("colour",)), "A sweep cannot read 'colour'; it reads "),
     "times": (lambda: made(quantities=("azimuth",)), '"azimuth" needs times; '),
     "forces": (lambda: made({"drag": {"linear": 1e-4}}), "An exact motion knows no forces, but drag is given; "),
-    "too many": (lambda: made({"launch": {"a": Spaced(0.1, 0.2, 10**6), "b": Spaced(0.0, 0.1, 10**6)}}), "This sweep has 1e+12 cases, which take about 4e+05 s of one core and 9e+12 bytes; 1e+11 cases are the most. "),
+    "too many": (lambda: made({"launch": {"a": Spaced(0.1, 0.2, 10**6), "b": Spaced(0.0, 0.1, 10**6)}}), "This sweep has 1e+12 cases, which take 111 h of one core or more, and 9e+03 GB; 1e+11 cases are the most. "),
 }  # fmt: skip
 
 

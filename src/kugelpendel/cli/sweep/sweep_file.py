@@ -65,8 +65,9 @@ def read_sweep_file(path: Path) -> SweepFile:
         tables = take_apart(document.tables, schema.SWEEP_FILE)
         names = [name for name in document.tables if name != "sweep"]
         given = {name: _given(tables[name]) for name in names}
+        sweep = _sweep(tables["sweep"], given)
         _try_it(document, tables, given)
-        return SweepFile(document, _sweep(tables["sweep"], given))
+        return SweepFile(document, sweep)
 
 
 def _sweep(asked: Entries, given: dict[str, dict[str, Any]]) -> Sweep:
@@ -155,8 +156,6 @@ def _settled(values: dict[str, Any], table: Entries, share: float) -> dict[str, 
 def _typical(value: Any, share: float) -> Any:
     if isinstance(value, Normal):
         return value.mean
-    if isinstance(value, Listed) and not value.values:
-        raise kp.InvalidInput.of("sweep_empty", name="[sweep] a number")
     if isinstance(value, (float, int, str, bool)):
         return value
     law: Law = value
@@ -215,8 +214,12 @@ def _placed(asked: Entries) -> Generator[None]:
     except Mistake:
         raise
     except kp.InvalidInput as error:
-        place = re.match(r"\[(\w+)\] (\w+)", str(error.values[0].value)) if error.values else None
-        if place is not None:
-            raise Mistake("", place[1], place[2], cause=error) from error
+        for seen in error.values[:1]:
+            # A sweep names a number as a file does, a parameter as "pendulum.length".
+            place = re.match(r"\[(\w+)\] (\w+)", str(seen.value)) or re.match(
+                r"(\w+)\.(\w+)$", seen.name
+            )
+            if place is not None:
+                raise Mistake("", place[1], place[2], cause=error) from error
         with asked.at():
             raise

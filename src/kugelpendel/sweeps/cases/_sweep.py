@@ -17,7 +17,7 @@ from kugelpendel.parameters import Launch, Numbers, Scalars, one_number
 from kugelpendel.sweeps.cases._cost import LEAF
 from kugelpendel.sweeps.cases._indexed import grid_cases, grid_stretch, sample_cases, sobol_cases
 from kugelpendel.sweeps.cases._laws import LAWS, Law, Normal, Spaced, Uniform, stored_law
-from kugelpendel.sweeps.cases._pendulums import UNITS, WORDS, Table
+from kugelpendel.sweeps.cases._pendulums import UNITS, WORDS, Table, assembled
 
 DesignWord: TypeAlias = Literal["grid", "sample", "sobol"]
 MotionWord: TypeAlias = Literal["exact", "averaged", "real"]
@@ -26,6 +26,9 @@ Entry: TypeAlias = float | str | bool | Law
 
 MOST_CASES = 100_000_000_000
 """More are refused: as many full runs would take a thousand cores two years."""
+
+_MAY_LACK = ("azimuth", "phi", "theta_rate", "phi_rate")
+"""Numbers of a launch that are 0 unless they are given."""
 
 MOST_BASE_POINTS = 2**30
 """Of a Sobol sequence of 30 bits, as SciPy makes it."""
@@ -112,6 +115,8 @@ class Sweep:
         _check_quantities(self)
         if self.size > MOST_CASES:
             raise _too_many(self)
+        # What does not vary has to make sense; what varies is judged case by case.
+        assembled(self.tables(0, 1))
         chunk, least = self.chunk, 1 if self.keeps_all else LEAF
         if chunk is not None and not (_is_whole(chunk, least) and chunk & (chunk - 1) == 0):
             raise InvalidInput.of("sweep_chunk", seen=repr(chunk), least=least)
@@ -313,6 +318,9 @@ def _check_tables(tables: Mapping[str, Mapping[str, Entry]], motion: str) -> Non
             if key not in tables.get(section, {}):
                 raise InvalidInput.of("sweep_missing", name=where(f"{section}.{key}"))
     kind = str(tables["launch"]["kind"])
+    for key in Launch.kinds[kind]:
+        if key not in tables["launch"] and key not in _MAY_LACK:
+            raise InvalidInput.of("sweep_missing", name=where(f"launch.{key}"))
     for key in tables["launch"]:
         if key != "kind" and key not in Launch.kinds[kind]:
             raise InvalidInput.of(
@@ -366,6 +374,6 @@ def _too_many(sweep: Sweep) -> InvalidInput:
         "sweep_too_many",
         count=float(sweep.size),
         most=float(MOST_CASES),
-        time=(core_seconds(sweep) * sweep.size, "s"),
-        size=(float(bytes_kept(sweep)), "B"),
+        time=(core_seconds(sweep) * sweep.size / 3600, "h"),
+        size=(bytes_kept(sweep) / 1e9, "GB"),
     )
