@@ -11,12 +11,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.sweeps.made import averaged, exact
 
 import kugelpendel as kp
 from kugelpendel.errors import KugelpendelError
 from kugelpendel.sweeps import SweepStore, _cluster
 from kugelpendel.sweeps._cluster import local_workers, workers_of
-from tests.sweeps.made import averaged, exact
 
 Same = Callable[[Path, Path], None]
 

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import pytest
 import xarray as xr
+from tests.sweeps.made import averaged, exact
 
 import kugelpendel as kp
 from kugelpendel.sweeps import Listed, Spaced, Uniform, results_of, why
-from tests.sweeps.made import averaged, exact
 
 
 @pytest.fixture(scope="module")
@@ -109,7 +109,9 @@ def test_reductions_are_those_of_all_values(drawn: xr.Dataset, tmp_path: Path) -
     assert reduced.precession_std == pytest.approx(values.std(ddof=1), rel=1e-12)
     assert reduced.precession_mean.attrs["units"] == "rad/s"
     exactly = np.quantile(values, reduced["quantile"].values, method="inverted_cdf")
-    assert reduced.precession_quantile.values == pytest.approx(exactly, rel=kp.sweeps.QUANTILE_ERROR)
+    assert reduced.precession_quantile.values == pytest.approx(
+        exactly, rel=kp.sweeps.QUANTILE_ERROR
+    )
     histogram = reduced.precession_histogram
     assert histogram.sum() == 1000
     assert (histogram > 0).all()

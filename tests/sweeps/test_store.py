@@ -14,12 +14,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.sweeps.made import averaged, contents, exact
 
 import kugelpendel as kp
 from kugelpendel.sweeps import Listed, Spaced, SweepStore, _store
 from kugelpendel.sweeps._store import kept_store
-
-from tests.sweeps.made import averaged, contents, exact
 
 KILLS = 20
 
@@ -33,7 +32,9 @@ def do(sweep: kp.Sweep, folder: Path) -> Any:
 
 
 @pytest.mark.parametrize("keep", [("all",), ("moments", "quantiles")])
-def test_killed_at_any_moment(keep: Any, tmp_path: Path, same: Callable[[Path, Path], None]) -> None:
+def test_killed_at_any_moment(
+    keep: Any, tmp_path: Path, same: Callable[[Path, Path], None]
+) -> None:
     sweep = averaged(keep=keep, chunk=64 if keep != ("all",) else 8)
     whole, killed = tmp_path / "whole", tmp_path / "killed"
     started = time.monotonic()
@@ -70,9 +71,7 @@ def test_killed_at_any_moment(keep: Any, tmp_path: Path, same: Callable[[Path, P
     same(whole, killed)
 
 
-def test_the_mask_says_what_is_missing(
-    tmp_path: Path, same: Callable[[Path, Path], None]
-) -> None:
+def test_the_mask_says_what_is_missing(tmp_path: Path, same: Callable[[Path, Path], None]) -> None:
     """Marks of any chunks may be gone, in any order; a counter would not notice."""
     do(averaged(), tmp_path / "a")
     do(averaged(), tmp_path / "b")
@@ -80,7 +79,9 @@ def test_the_mask_says_what_is_missing(
     for chunk in (0, 11, 29):
         (marks / str(chunk)).unlink()
         for name in ("azimuth", "status"):
-            shutil.rmtree(tmp_path / "b" / "sweep.zarr" / name / "c" / str(chunk), ignore_errors=True)
+            shutil.rmtree(
+                tmp_path / "b" / "sweep.zarr" / name / "c" / str(chunk), ignore_errors=True
+            )
             (tmp_path / "b" / "sweep.zarr" / name / "c" / str(chunk)).unlink(missing_ok=True)
     assert store_of(tmp_path / "b").done().sum() == 27
     seen: list[tuple[int, int, int]] = []
@@ -106,7 +107,9 @@ def test_a_finished_sweep_is_not_done_again(tmp_path: Path) -> None:
     do(averaged(), tmp_path)
     before = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*") if path.is_file()}
     found = do(averaged(), tmp_path)
-    assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*") if path.is_file()} == before
+    assert {
+        path: path.stat().st_mtime_ns for path in tmp_path.rglob("*") if path.is_file()
+    } == before
     assert found.status.attrs["counts"] == [0, 240, 0, 0]
 
 
@@ -190,11 +193,13 @@ except kp.KugelpendelError as error:
 def test_no_room_is_said_before_anything_is_made(tmp_path: Path) -> None:
     given = {
         "pendulum": {"length": Spaced(1.0, 2.0, 100_000)},
-        "launch": {"kind": "ellipse", "a": Spaced(0.1, 0.2, 100_000), "b": Listed((0.0,) )},
+        "launch": {"kind": "ellipse", "a": Spaced(0.1, 0.2, 100_000), "b": Listed((0.0,))},
     }
     times = tuple(np.arange(1000.0))
     sweep = kp.Sweep(given, "grid", "exact", ("azimuth",), times)
-    with pytest.raises(kp.InvalidInput, match=r"^The 1e\+10 cases of this sweep take up to 8e\+04 GB"):
+    with pytest.raises(
+        kp.InvalidInput, match=r"^The 1e\+10 cases of this sweep take up to 8e\+04 GB"
+    ):
         do(sweep, tmp_path)
     assert list(tmp_path.iterdir()) == []
 
@@ -217,5 +222,7 @@ def test_other_versions_do_not_go_on(tmp_path: Path, monkeypatch: pytest.MonkeyP
     monkeypatch.setattr(_store, "_versions", lambda: {"kugelpendel": "0.0.1"})
     do(averaged(), tmp_path)  # all is done
     (tmp_path / "sweep.zarr" / "done" / "c" / "4").unlink()
-    with pytest.raises(kp.InvalidInput, match=r"was begun with kugelpendel 0\.1\.0, and this is 0\."):
+    with pytest.raises(
+        kp.InvalidInput, match=r"was begun with kugelpendel 0\.1\.0, and this is 0\."
+    ):
         do(averaged(), tmp_path)

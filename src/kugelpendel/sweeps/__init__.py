@@ -1,7 +1,7 @@
 """Many pendulums at once: sweeps over what varies, kept in a store that nothing is lost from.
 
-What a sweep is, and its cases from their index, are in `cases`; `_store` keeps what is done, `_chunk`
-does some cases at a time, `_run` has this process do them and `_cluster` others.
+What a sweep is, and its cases from their index, are in `cases`; `_store` keeps what is done,
+`_chunk` does some cases at a time, `_run` has this process do them and `_cluster` others.
 """
 
 from kugelpendel.sweeps._chunk import chunk_for as chunk_for

@@ -1,4 +1,4 @@
-"""Dask's workers as an engine: the same function for each chunk, some chunks ahead of each worker."""
+"""Dask's workers as an engine: the same function for each chunk, some ahead of each worker."""
 
 from __future__ import annotations
 

@@ -202,7 +202,8 @@ def _reduced(
     """The variables that a quantity was reduced to."""
     import xarray as xr
 
-    sweep, found = store.sweep, {}
+    sweep = store.sweep
+    found: dict[str, Any] = {}
     plain = {key: value for key, value in noted.items() if key != "units"}
     if "moments" in sweep.keep:
         parts = numbers(store.array(f"{name}_moments")[:])[store.done()]

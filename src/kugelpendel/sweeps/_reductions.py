@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from kugelpendel.sweeps.cases import Sweep
 
 FIELDS = ("count", "infinite", "mean", "m2", "m3", "m4", "least", "most")
-"""What is kept for the moments: of the finite values their count, mean and the sums of the second to
-fourth powers of the distance from it, the smallest and the largest; and how many are infinite."""
+"""What is kept for the moments: of the finite values their count, mean, sums of the second to
+fourth powers of the distance from it, least and largest; and how many are infinite."""
 
 _MANTISSA = 8
 """Bits of the mantissa that a bin goes by: its ends differ by 2⁻⁸ of themselves or less."""
@@ -97,7 +97,7 @@ def binned(values: Numbers) -> NDArray[np.uint32]:
         column = columns[~np.isnan(columns[:, k]), k]
         size = (np.abs(column).view(np.int64) >> _SHIFT) - _LOWEST + 1
         place = np.clip(size, 0, _SIZES + 1)
-        signed = np.where(column < 0, -place, place) + _SIZES + 1
+        signed: NDArray[np.int64] = np.where(column < 0, -place, place) + _SIZES + 1
         counts[:, k] = np.bincount(signed, minlength=BINS)
     return counts.reshape(BINS, *values.shape[1:])
 
@@ -163,8 +163,10 @@ def _united(one: Numbers, other: Numbers) -> Numbers:
         + 4 * step * (m * b[4] - n * a[4])
     )
     # An empty set has the mean 0, which must not count.
-    mean = np.where(m == 0, b[2], np.where(n == 0, a[2], a[2] + n * step))
+    mean: Numbers = np.where(m == 0, b[2], np.where(n == 0, a[2], a[2] + n * step))
     empty = (m == 0) | (n == 0)
-    sums = [np.where(empty, a[k] + b[k], value) for k, value in ((3, m2), (4, m3), (5, m4))]
+    sums: list[Numbers] = [
+        np.where(empty, a[k] + b[k], value) for k, value in ((3, m2), (4, m3), (5, m4))
+    ]
     ends = [np.minimum(a[6], b[6]), np.maximum(a[7], b[7])]
     return np.stack([total, a[1] + b[1], mean, *sums, *ends]).swapaxes(0, 1)

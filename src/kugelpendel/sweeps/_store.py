@@ -13,20 +13,20 @@ import json
 import os
 import secrets
 import shutil
-import sys
 from collections.abc import Callable, Generator, Mapping
 from contextlib import contextmanager
 from functools import cached_property, lru_cache
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kugelpendel.errors import InvalidInput, KugelpendelError, require_extra
 from kugelpendel.parameters import Numbers
+from kugelpendel.sweeps._lock import locked
 from kugelpendel.sweeps._reductions import BINS, FIELDS
 from kugelpendel.sweeps.cases import Sweep, bytes_kept, where
 
@@ -38,7 +38,6 @@ STATUS = ("not yet", "good", "refused", "ended early")
 
 NOT_YET, GOOD, REFUSED, ENDED = range(4)
 
-_LOCK = ".sweep.lock"
 _PARTIAL = ".partial"
 _FORMAT = 1
 _PACKAGES = ("kugelpendel", "numpy", "scipy")
@@ -61,6 +60,7 @@ class SweepStore:
 
     def __init__(self, path: Path):
         self.path = path
+        self._arrays: dict[str, Any] = {}
         try:
             noted = json.loads((path / "zarr.json").read_text(encoding="utf-8"))["attributes"]
             about = noted["kugelpendel"]
@@ -78,11 +78,9 @@ class SweepStore:
 
     def array(self, name: str) -> Any:
         """One of its arrays."""
-        return self._arrays(name)
-
-    @cached_property
-    def _arrays(self) -> Any:
-        return lru_cache(maxsize=None)(lambda name: self.group[name])
+        if name not in self._arrays:
+            self._arrays[name] = self.group[name]
+        return self._arrays[name]
 
     @property
     def chunks(self) -> int:
@@ -152,9 +150,7 @@ class SweepStore:
 
 
 @contextmanager
-def kept_store(
-    folder: Path, sweep: Sweep, chunk: Callable[[], int]
-) -> Generator[SweepStore]:
+def kept_store(folder: Path, sweep: Sweep, chunk: Callable[[], int]) -> Generator[SweepStore]:
     """Lend the store of a sweep in a folder, made or continued, that nobody else may write to.
 
     Parameters
@@ -176,7 +172,7 @@ def kept_store(
     """
     require_extra("sweep", "kugelpendel.sweep", "scipy", "xarray", "zarr")
     path = folder / NAME
-    with writing(folder), _locked(folder):
+    with writing(folder), locked(folder):
         for left in folder.glob(f".{NAME}-*"):
             shutil.rmtree(left, ignore_errors=True)
         if path.exists():
@@ -241,10 +237,7 @@ def _differences(stored: Sweep, asked: Sweep) -> list[str]:
     """In what two sweeps differ."""
     one, other = (json.loads(sweep.as_json()) for sweep in (stored, asked))
     differing = [key for key in one if key not in ("varied", "fixed") and one[key] != other[key]]
-    one_given, other_given = (
-        dict((name, value) for name, value in (*plain["varied"], *plain["fixed"]))
-        for plain in (one, other)
-    )
+    one_given, other_given = (dict([*plain["varied"], *plain["fixed"]]) for plain in (one, other))
     names = [*one_given, *(name for name in other_given if name not in one_given)]
     changed = [where(name) for name in names if one_given.get(name) != other_given.get(name)]
     return [*changed, *differing] or ["the order of what varies"]
@@ -354,54 +347,6 @@ def _zarr() -> Any:
     return import_module("zarr")
 
 
-@contextmanager
-def _locked(folder: Path) -> Generator[None]:
-    """Hold the folder of a sweep. Raises InvalidInput where a living process does."""
-    folder.mkdir(parents=True, exist_ok=True)
-    path = folder / _LOCK
-    while True:
-        lock = os.open(path, os.O_CREAT | os.O_RDWR)
-        if not _hold(lock):
-            os.close(lock)
-            raise InvalidInput.of("sweep_locked", folder=str(folder))
-        try:
-            if path.stat().st_ino == os.fstat(lock).st_ino:
-                break
-        except FileNotFoundError:  # whoever held it has ended just now
-            pass
-        os.close(lock)
-    try:
-        yield
-    finally:
-        path.unlink(missing_ok=True)
-        os.close(lock)
-
-
-if sys.platform == "win32":
-
-    def _hold(lock: int) -> bool:
-        """Lock an open file, unless a living process has done so."""
-        import msvcrt
-
-        try:
-            msvcrt.locking(lock, msvcrt.LK_NBLCK, 1)
-        except OSError:
-            return False
-        return True
-
-else:
-
-    def _hold(lock: int) -> bool:
-        """Lock an open file, unless a living process has done so."""
-        import fcntl
-
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            return False
-        return True
-
-
 def numbers(values: Any) -> Numbers:
     """What Zarr hands out, as numbers."""
-    return cast("Numbers", np.asarray(values, dtype=np.float64))
+    return np.asarray(values, dtype=np.float64)

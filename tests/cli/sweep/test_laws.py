@@ -57,5 +57,7 @@ def test_refused(text: str, sentence: str) -> None:
 def test_degrees_without_a_unit_are_refused() -> None:
     with pytest.raises(kp.InvalidInput, match="is in rad, which is more than a full turn"):
         read_law([0, 45], ANGLE, "[launch] azimuth")
-    with pytest.raises(kp.InvalidInput, match=r"\[drag\] quality has \"1 m\", which is not a plain"):
+    with pytest.raises(
+        kp.InvalidInput, match=r"\[drag\] quality has \"1 m\", which is not a plain"
+    ):
         read_law(["1 m"], None, "[drag] quality")

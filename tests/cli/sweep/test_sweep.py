@@ -1,5 +1,8 @@
 """The command: from a file to a store and answers, interrupted or not, and what it refuses."""
 
+# What is refused stands in rows, whatever their length.
+# ruff: noqa: E501
+
 import json
 import os
 import re
@@ -173,14 +176,18 @@ def test_odd_options(call: Any, file: Any, arguments: list[str], sentence: str) 
 
 def test_german(call: Any, file: Any) -> None:
     outcome = call("sweep", file(b="[]"), "--lang", "de")
-    assert outcome.err.endswith("Die Liste von [launch] b ist leer; geben Sie wenigstens einen Wert an.\n")
+    assert outcome.err.endswith(
+        "Die Liste von [launch] b ist leer; geben Sie wenigstens einen Wert an.\n"
+    )
 
 
 def test_another_sweep_in_the_folder(call: Any, file: Any) -> None:
     assert call("sweep", file()).code == 0
     outcome = call("sweep", file(length='"2 m"'))
     assert outcome.code == 2
-    assert "out/sweep holds another sweep, which differs in [pendulum] length; choose" in outcome.err
+    assert (
+        "out/sweep holds another sweep, which differs in [pendulum] length; choose" in outcome.err
+    )
 
 
 def test_a_scheduler_that_does_not_answer(call: Any, file: Any) -> None:

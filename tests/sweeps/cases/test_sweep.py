@@ -1,5 +1,8 @@
 """What a sweep is: the same description, the same fingerprint; what makes no sense, a sentence."""
 
+# What is refused stands in rows, whatever their length.
+# ruff: noqa: E501
+
 import copy
 import pickle
 from typing import Any

@@ -365,7 +365,7 @@ SWEEP = Section(
         Key(
             "quantities",
             Several("azimuth"),
-            "what is read of each case, from the list below",
+            "what is read of each case, by the names in docs/sweeps.md",
             needed=True,
             example='["azimuth", "b"]',
         ),
@@ -416,7 +416,11 @@ SWEEP_FILE = FileSchema(
             "anisotropy": '{ from = "1e-7 rad/s", to = "1e-5 rad/s", count = 40, scale = "log" }',
             "axis": '["0 deg", "45 deg"]',
         },
-        "sweep": {"motion": '"averaged"', "quantities": '["stalls", "azimuth"]', "times": '["6 h"]'},
+        "sweep": {
+            "motion": '"averaged"',
+            "quantities": '["stalls", "azimuth"]',
+            "times": '["6 h"]',
+        },
     },
 )
 """A job in which any number may be a list, a range or, for samples, a distribution."""

@@ -45,7 +45,7 @@ def _bad(sweep: Sweep, index: int) -> dict[str, Any]:
 
 def _results(sweep: Sweep, dataset: Dataset) -> list[dict[str, Any]]:
     found: list[dict[str, Any]] = []
-    for answer in answers(sweep, dataset):
+    for answer in answers(sweep, dataset) if sweep.keeps_all else ():
         finite = answer.values[np.isfinite(answer.values)]
         result: dict[str, Any] = {
             "quantity": answer.name,

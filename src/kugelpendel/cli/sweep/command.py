@@ -53,10 +53,10 @@ def sweep(options: argparse.Namespace) -> None:
     with (
         kept_store(folder.absolute(), spec, lambda: chunk_for(spec)) as store,
         engine as client,
+        _told(store, asked, folder, out, language) as progress,
     ):
-        with _told(store, asked, folder, out, language) as progress:
-            for _ in progressed(store, client, progress):
-                pass
+        for _ in progressed(store, client, progress):
+            pass
     _answer(asked, store, folder, options.json, language)
 
 
@@ -144,7 +144,7 @@ def _answer(
     found: Dataset = dataset_of(store)
     results = as_json(asked.sweep, found)
     drawn: dict[str, bytes] = {}
-    for name, figure in figures(asked.sweep, found).items():
+    for name, figure in figures(asked.sweep, found, language).items():
         plot.save(figure, file := BytesIO())
         drawn[f"{name}.png"] = file.getvalue()
     with staged(folder, (*drawn, RESULTS)) as temporary:
@@ -154,6 +154,6 @@ def _answer(
     if as_json_only:
         write_json(results)
         return
-    print(report(asked.sweep, found))
+    print(report(asked.sweep, found, language))
     files = ", ".join(("sweep.zarr", *drawn, RESULTS))
     print(f"\n{WORDS[language]['files'].format(folder=folder, files=files)}")

@@ -170,7 +170,7 @@ def _words(asked: Entries, key: str) -> tuple[str, ...]:
             f"{asked.where(key)} is missing; write {key} = {asked.section.key(key).example}.",
             "sweep",
         )
-    words = cast("list[Any]", value) if isinstance(value, list) else [value]
+    words: list[Any] = cast("list[Any]", value) if isinstance(value, list) else [value]
     if not all(isinstance(word, str) for word in words):
         asked.refuse(key, f" is no list of words; write {key} = {asked.section.key(key).example}.")
     return tuple(words)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -71,7 +72,8 @@ def sample_cases(sweep: Sweep, laws: Sequence[Law], index: Indices) -> list[Numb
     for first, where in _runs(index):
         count = where.stop - where.start
         draw = np.random.Philox(key=_key(sweep.seed), counter=first * blocks)
-        words[where] = draw.random_raw(count * blocks * _WORDS).reshape(count, -1)
+        raw: Any = draw.random_raw(count * blocks * _WORDS)
+        words[where] = raw.reshape(count, -1)
     return [law.drawn(_chance(words[..., k])) for k, law in enumerate(laws)]
 
 
@@ -93,7 +95,9 @@ def sobol_cases(sweep: Sweep, laws: Sequence[Law], index: Indices) -> list[Numbe
         of_b = (row == k + 1) | (row == sweep.block - 1)
         if sweep.second_order:
             of_b |= (row > count) & (row != count + 1 + k)
-        word = np.where(of_b, base[count + k][point - first], base[k][point - first])
+        word: NDArray[np.uint32] = np.where(
+            of_b, base[count + k][point - first], base[k][point - first]
+        )
         # Among the points is 0; they are taken in the middle of their cells.
         values.append(law.drawn((word + 0.5) * 2.0**-_BITS))
     return values
@@ -104,11 +108,8 @@ def _runs(index: Indices) -> list[tuple[int, slice]]:
     if index.size == 0:
         return []
     breaks = np.flatnonzero(np.diff(index) != 1) + 1
-    edges = [0, *breaks.tolist(), index.size]
-    return [
-        (int(index[start]), slice(start, stop))
-        for start, stop in zip(edges, edges[1:], strict=False)
-    ]
+    edges = pairwise([0, *breaks.tolist(), index.size])
+    return [(int(index[start]), slice(start, stop)) for start, stop in edges]
 
 
 def _chance(words: NDArray[np.uint64]) -> Numbers:
@@ -145,7 +146,8 @@ def _directions(dimensions: int, seed: int, bits: int) -> NDArray[np.uint32]:
     from scipy.stats import qmc  # pyright: ignore[reportMissingTypeStubs]
 
     generator = np.random.Generator(np.random.Philox(np.random.SeedSequence((seed, _STREAM))))
-    sequence: Any = qmc.Sobol(dimensions, scramble=True, bits=_BITS, rng=generator)  # pyright: ignore
+    make: Any = qmc.Sobol
+    sequence = make(dimensions, scramble=True, bits=_BITS, rng=generator)
     found = np.empty((dimensions, 1 + bits), dtype=np.uint32)
     at = 0
     for column, place in enumerate([0, *(2 ** (bit + 1) - 1 for bit in range(bits))]):

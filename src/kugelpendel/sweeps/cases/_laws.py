@@ -164,7 +164,11 @@ class Normal:
     deviation: float
 
     word: ClassVar[str] = "normal"
-    levels: ClassVar[None] = None
+
+    @property
+    def levels(self) -> None:
+        """It has none."""
+        return None
 
     def check(self, name: str) -> None:
         """Raise InvalidInput for a standard deviation that is not positive."""
@@ -202,7 +206,11 @@ class Uniform:
     most: float
 
     word: ClassVar[str] = "uniform"
-    levels: ClassVar[None] = None
+
+    @property
+    def levels(self) -> None:
+        """It has none."""
+        return None
 
     def check(self, name: str) -> None:
         """Raise InvalidInput unless the ends differ and ascend."""

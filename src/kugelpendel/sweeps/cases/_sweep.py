@@ -66,9 +66,9 @@ class Sweep:
         "all", or any of "moments", "quantiles" and "histograms" of all good cases, which need no
         more than some kilobytes for each chunk.
     chunk
-        Cases that are done and stored together, a power of two, where a new store is made; by default
-        about a second of work for one core, from a trial. It changes no result and is no part of what
-        is described: a store keeps its own.
+        Cases that are done and stored together, a power of two, where a new store is made; by
+        default about a second of work for one core, from a trial. It changes no result and is no
+        part of what is described: a store keeps its own.
 
     Raises
     ------
@@ -217,8 +217,9 @@ class Sweep:
         given: dict[str, dict[str, Any]] = {}
         for name, value in (*stored["varied"], *stored["fixed"]):
             section, _, key = name.partition(".")
-            law = isinstance(value, list)
-            given.setdefault(section, {})[key] = stored_law(*value) if law else value
+            given.setdefault(section, {})[key] = (
+                stored_law(*cast("list[Any]", value)) if isinstance(value, list) else value
+            )
         rest = ("design", "motion", "quantities", "times", "count", "seed", "second_order")
         return cls(given, **{key: stored[key] for key in (*rest, "keep")})
 
