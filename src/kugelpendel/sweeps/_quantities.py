@@ -1,0 +1,458 @@
+"""What can be read off every case of a sweep: its name, its unit, and how it is measured."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Literal
+
+import numpy as np
+
+from kugelpendel.motion import EnvelopeMotion, ExactMotion, Motion, RealMotion
+from kugelpendel.parameters import InvalidInput, Numbers
+
+_ALL = frozenset({"exact", "averaged", "real"})
+_AVERAGED = frozenset({"averaged"})
+_INTEGRATED = frozenset({"averaged", "real"})
+_NONE: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One thing that a sweep may read.
+
+    Attributes
+    ----------
+    name
+        In the file's list, and of the variable in the data set.
+    unit
+        In SI; "1" for a pure number.
+    per_time
+        Whether there is a value for each of the times that are asked for.
+    motions
+        Those that can be asked for it: "exact", "averaged", "real".
+    text
+        What it means.
+    until
+        The motions of which it is looked for up to the last of the times, so that one is needed.
+    holds
+        "number"; "rate" for an angular velocity of the plane, which is said in degrees an hour;
+        "truth" for 0 or 1; "axis" for a direction without a front end, the same after half a turn.
+    grounded
+        Whether it makes sense on a turning ground only.
+    """
+
+    name: str
+    unit: str
+    per_time: bool
+    motions: frozenset[str]
+    text: str
+    until: frozenset[str] = _NONE
+    holds: Literal["number", "rate", "truth", "axis"] = "number"
+    grounded: bool = False
+
+
+_ROWS = (
+    Quantity("frequency", "rad/s", False, frozenset({"exact"}), "frequency of the swing, ω"),
+    Quantity(
+        "precession", "rad/s", False, frozenset({"exact"}),
+        "rate at which the ellipse turns by itself, Ω, counter-clockwise", holds="rate",
+    ),
+    Quantity("period", "s", False, frozenset({"exact"}), "period of the swing, 2π/ω"),
+    Quantity(
+        "azimuth", "rad", True, _ALL,
+        "azimuth of the long axis, continuous from the launch, counter-clockwise",
+    ),
+    Quantity("a", "m", True, _ALL, "half the length of the swing"),
+    Quantity("b", "m", True, _ALL, "half the width of the swing, positive counter-clockwise"),
+    Quantity(
+        "mean_rate", "rad/s", True, _ALL,
+        "mean rate of the azimuth from the launch on, counter-clockwise", holds="rate",
+    ),
+    Quantity("largest_b", "m", False, _ALL, "largest |b| from the launch on", _INTEGRATED),
+    Quantity(
+        "quarter_turn", "s", False, _ALL,
+        "time in which the plane turns by a quarter of a turn; infinite where it does not",
+        _INTEGRATED,
+    ),
+    Quantity(
+        "stalls", "1", False, _AVERAGED,
+        "whether the plane, with all that acts, turns back or stands instead of going round",
+        holds="truth", grounded=True,
+    ),
+    Quantity(
+        "final_direction", "rad", False, _AVERAGED,
+        "azimuth about which a plane that stalls comes to stay, or where it is when a tenth of the "
+        "amplitude is left; from 0 to half a turn",
+        holds="axis", grounded=True,
+    ),
+    Quantity(
+        "stands_since", "s", False, _INTEGRATED,
+        "since when the plane stands at the end of the times; infinite where it does not",
+        _INTEGRATED, grounded=True,
+    ),
+    Quantity(
+        "clamp_stalls", "1", False, _AVERAGED,
+        "whether the clamp by itself, without drag and drive, makes the plane turn back",
+        holds="truth",
+    ),
+    Quantity(
+        "slowest_rate", "rad/s", False, _AVERAGED,
+        "least rate of the plane in the Earth's sense, between the first and the last of the "
+        "times, or from the launch to the only one",
+        _AVERAGED, "rate",
+    ),
+    Quantity(
+        "fastest_rate", "rad/s", False, _AVERAGED,
+        "largest rate of the plane in the Earth's sense, in the same time",
+        _AVERAGED, "rate",
+    ),
+    Quantity(
+        "least_tension", "N", False, frozenset({"exact", "real"}),
+        "least pull of the thread; below zero only a rod holds the motion", frozenset({"real"}),
+    ),
+    Quantity(
+        "largest_tension", "N", False, frozenset({"exact", "real"}),
+        "largest pull of the thread", frozenset({"real"}),
+    ),
+    Quantity(
+        "error_25", "1", False, frozenset({"exact"}),
+        "relative error of the precession by Olsson's (25)",
+    ),
+    Quantity(
+        "error_26", "1", False, frozenset({"exact"}),
+        "relative error of the frequency by Olsson's (26)",
+    ),
+    Quantity(
+        "averaging_error", "rad", True, frozenset({"real"}),
+        "how far the azimuth of the averaged equations is off",
+    ),
+)  # fmt: skip
+
+QUANTITIES: dict[str, Quantity] = {quantity.name: quantity for quantity in _ROWS}
+"""All that can be read, by name."""
+
+
+def measure(motion: Motion, names: Sequence[str], times: Numbers) -> dict[str, Numbers]:
+    """Read quantities off every case of an ensemble.
+
+    Parameters
+    ----------
+    motion
+        An exact, averaged or real ensemble of the shape (n,).
+    names
+        Of `QUANTITIES`, each once.
+    times
+        s after the launch, ascending; none where nothing that is read needs them.
+
+    Returns
+    -------
+    dict
+        By name, arrays of the shape (n,), or (n, len(times)) for what is read at times. NaN where a
+        case is bad or has ended, and where there is no answer: no plane in less than a swing, no
+        final direction of a plane that goes round.
+
+    Raises
+    ------
+    InvalidInput
+        For what `require_readable` refuses.
+
+    Notes
+    -----
+    The bits of a case depend on neither the other cases nor the count of threads. Errors: those of
+    the motion, and what `EnvelopeMotion.course` and `pace` say of extremes between readings.
+    """
+    kind = _kind(motion)
+    require_readable(kind, names, times, grounded=motion_is_grounded(motion))
+    readings = _READINGS[kind](motion, np.ascontiguousarray(times, np.float64))
+    return {name: np.ascontiguousarray(getattr(readings, name)) for name in names}
+
+
+def motion_is_grounded(motion: Motion) -> bool:
+    """Whether a motion has a site, so that the ground turns under it."""
+    return getattr(motion, "site", None) is not None
+
+
+def require_readable(kind: str, names: Sequence[str], times: Numbers, *, grounded: bool) -> None:
+    """Raise InvalidInput for quantities that a motion of a kind cannot be asked for.
+
+    Parameters
+    ----------
+    kind
+        "exact", "averaged" or "real".
+    names
+        Of quantities.
+    times
+        s, at which or up to which they are read.
+    grounded
+        Whether there is a site.
+    """
+    for name in names:
+        quantity = QUANTITIES.get(name)
+        if quantity is None:
+            known = ", ".join(QUANTITIES)
+            raise InvalidInput(f"A sweep cannot read {name!r}; it reads {known}.")
+        if kind not in quantity.motions:
+            able = " or ".join(f'"{motion}"' for motion in sorted(quantity.motions))
+            raise InvalidInput(
+                f'"{name}" cannot be read off the motion "{kind}"; take the motion {able}.'
+            )
+        if (quantity.per_time or kind in quantity.until) and not np.size(times):
+            raise InvalidInput(f'"{name}" needs times; write times = ["6 h"], for instance.')
+        if quantity.grounded and not grounded:
+            raise InvalidInput(
+                f'"{name}" needs a ground that turns; add a table [site] with its latitude.'
+            )
+    values = np.asarray(times, np.float64).ravel()
+    if values.size and not (values[0] >= 0 and np.isfinite(values).all()):
+        wrong = values[~((values >= 0) & np.isfinite(values))]
+        raise InvalidInput(f"A sweep reads after the launch, but one of its times is {wrong[0]} s.")
+    if (np.diff(values) <= 0).any():
+        raise InvalidInput("The times of a sweep must grow from one to the next; sort them.")
+    if "mean_rate" in names and values[0] == 0:
+        raise InvalidInput(
+            '"mean_rate" is that from the launch to a later time, but one of the times is 0 s; '
+            "leave that one out."
+        )
+
+
+def _kind(motion: Motion) -> str:
+    kinds = {"exact": ExactMotion, "averaged": EnvelopeMotion, "real": RealMotion}
+    for kind, made in kinds.items():
+        if isinstance(motion, made):
+            return kind
+    raise InvalidInput(
+        f"A sweep reads exact, averaged and real motions, but this is {type(motion).__name__}."
+    )
+
+
+class _ExactReadings:
+    """Each attribute without an underscore is a quantity."""
+
+    def __init__(self, motion: ExactMotion[Numbers], times: Numbers):
+        self._motion, self._times = motion, times
+
+    @cached_property
+    def _launch(self) -> Numbers:
+        return self._motion.launch_ellipse()
+
+    @cached_property
+    def _errors(self) -> Numbers:
+        outer, inner = np.moveaxis(self._motion.turning_radii, -1, 0)
+        return self._motion.ellipse_rates(outer, np.copysign(inner, self._launch[:, 1]))
+
+    @property
+    def frequency(self) -> Numbers:
+        return self._motion.frequency
+
+    @property
+    def precession(self) -> Numbers:
+        return self._motion.precession
+
+    @property
+    def period(self) -> Numbers:
+        return self._motion.period
+
+    @property
+    def azimuth(self) -> Numbers:
+        return self._launch[:, 2, None] + self._motion.precession[:, None] * self._times
+
+    @property
+    def a(self) -> Numbers:
+        return np.repeat(self._launch[:, :1], self._times.size, axis=1)
+
+    @property
+    def b(self) -> Numbers:
+        return np.repeat(self._launch[:, 1:2], self._times.size, axis=1)
+
+    @property
+    def mean_rate(self) -> Numbers:
+        return np.repeat(self._motion.precession[:, None], self._times.size, axis=1)
+
+    @property
+    def largest_b(self) -> Numbers:
+        return np.abs(self._launch[:, 1])
+
+    @property
+    def quarter_turn(self) -> Numbers:
+        with np.errstate(divide="ignore"):
+            after = 0.5 * math.pi / np.abs(self._motion.precession)
+        late = self._times[-1] if self._times.size else math.inf
+        return np.where(after > late, math.inf, after)
+
+    @property
+    def least_tension(self) -> Numbers:
+        return self._motion.tension_range[:, 0]
+
+    @property
+    def largest_tension(self) -> Numbers:
+        return self._motion.tension_range[:, 1]
+
+    @property
+    def error_25(self) -> Numbers:
+        return self._errors[:, 4]
+
+    @property
+    def error_26(self) -> Numbers:
+        return self._errors[:, 5]
+
+
+class _AveragedReadings:
+    """Each attribute without an underscore is a quantity."""
+
+    def __init__(self, motion: EnvelopeMotion[Numbers], times: Numbers):
+        self._motion, self._times = motion, times
+
+    @cached_property
+    def _axes(self) -> Numbers:
+        return self._motion.semi_axes(self._times)
+
+    @cached_property
+    def _azimuths(self) -> Numbers:
+        """At the launch and at the times, in one pass."""
+        return self._motion.azimuth(np.concatenate(([0.0], self._times)))
+
+    @cached_property
+    def _course(self) -> Numbers:
+        return self._motion.course(float(self._times[-1]))
+
+    @cached_property
+    def _pace(self) -> Numbers:
+        first = float(self._times[0]) if self._times.size > 1 else 0.0
+        return self._motion.pace(first, float(self._times[-1]))
+
+    @cached_property
+    def _settled(self) -> Numbers:
+        return self._motion.settled()
+
+    @property
+    def azimuth(self) -> Numbers:
+        return self._azimuths[:, 1:]
+
+    @property
+    def a(self) -> Numbers:
+        return self._axes[..., 0]
+
+    @property
+    def b(self) -> Numbers:
+        return self._axes[..., 1]
+
+    @property
+    def mean_rate(self) -> Numbers:
+        return (self._azimuths[:, 1:] - self._azimuths[:, :1]) / self._times
+
+    @property
+    def largest_b(self) -> Numbers:
+        return self._course[:, 0]
+
+    @property
+    def quarter_turn(self) -> Numbers:
+        return self._course[:, 1]
+
+    @property
+    def stands_since(self) -> Numbers:
+        return self._course[:, 2]
+
+    @property
+    def slowest_rate(self) -> Numbers:
+        return self._pace[:, 0]
+
+    @property
+    def fastest_rate(self) -> Numbers:
+        return self._pace[:, 1]
+
+    @property
+    def stalls(self) -> Numbers:
+        return _truth(self._settled[:, 0])
+
+    @property
+    def final_direction(self) -> Numbers:
+        found = self._settled
+        verdict, turned, low, high, dies = (found[:, column] for column in (0, 3, 4, 5, 8))
+        # A swing that dies away is left where it is at the end; another one goes to and fro.
+        end = np.where(dies == 1.0, self._azimuths[:, 0] + turned, 0.5 * (low + high))
+        return np.where(verdict > 0.0, np.mod(end, math.pi), math.nan)
+
+    @property
+    def clamp_stalls(self) -> Numbers:
+        return _truth(self._motion.clamp_orbits()[:, 0])
+
+
+class _RealReadings:
+    """Each attribute without an underscore is a quantity."""
+
+    def __init__(self, motion: RealMotion[Numbers], times: Numbers):
+        self._motion, self._times = motion, times
+
+    @cached_property
+    def _course(self) -> Numbers:
+        return self._motion.course(np.concatenate(([0.0], self._times)))
+
+    @cached_property
+    def _ellipses(self) -> Numbers:
+        """a, b and azimuth at the launch and at the times."""
+        return self._course[:, 5:].reshape(len(self._course), -1, 3)
+
+    @property
+    def azimuth(self) -> Numbers:
+        return self._ellipses[:, 1:, 2]
+
+    @property
+    def a(self) -> Numbers:
+        return self._ellipses[:, 1:, 0]
+
+    @property
+    def b(self) -> Numbers:
+        return self._ellipses[:, 1:, 1]
+
+    @property
+    def mean_rate(self) -> Numbers:
+        azimuths = self._ellipses[..., 2]
+        return (azimuths[:, 1:] - azimuths[:, :1]) / self._times
+
+    @property
+    def largest_b(self) -> Numbers:
+        return self._course[:, 0]
+
+    @property
+    def least_tension(self) -> Numbers:
+        return self._course[:, 1]
+
+    @property
+    def largest_tension(self) -> Numbers:
+        return self._course[:, 2]
+
+    @property
+    def quarter_turn(self) -> Numbers:
+        return self._course[:, 3]
+
+    @property
+    def stands_since(self) -> Numbers:
+        return self._course[:, 4]
+
+    @property
+    def averaging_error(self) -> Numbers:
+        motion = self._motion
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # how far it is off is what is asked
+            averaged = EnvelopeMotion(motion.pendulum, motion.launch, motion.forces)
+        means = averaged.azimuth(np.concatenate(([0.0], self._times)))
+        apart = self._ellipses[..., 2] - means
+        # Both are azimuths of an axis, which has no front end.
+        apart -= math.pi * np.round(apart[:, :1] / math.pi)
+        return np.abs(apart[:, 1:])
+
+
+_READINGS: dict[str, Callable[[Any, Numbers], object]] = {
+    "exact": _ExactReadings,
+    "averaged": _AveragedReadings,
+    "real": _RealReadings,
+}
+
+
+def _truth(verdict: Numbers) -> Numbers:
+    """1 where a plane does not go round, 0 where it does, NaN where that cannot be told."""
+    return np.where(np.isnan(verdict), math.nan, np.where(verdict > 0.0, 1.0, 0.0))
