@@ -146,7 +146,7 @@ print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
 def peak_memory(count: int) -> float:
     """MB of a process of its own that does so many exact cases."""
     with folder() as path:
-        here = str(Path(__file__).parent)
+        here = str(Path(__file__).parents[1])
         script = _PEAK.format(here=here, count=count, out=str(path))
         done = subprocess.run([sys.executable, "-c", script], capture_output=True, check=True)
         return int(done.stdout) / 1e3
@@ -237,21 +237,3 @@ def notes(passed: float) -> list[str]:
         "cores with its workers; with chunks of a second that many workers are its limit.",
         "Reductions take 13 kB for each chunk and quantity at most, whatever the count of cases.",
     ]
-
-
-def large() -> None:
-    """Do 1e8 exact cases once, all values kept: ``python benchmarks/sweeps.py``."""
-    with folder() as path:
-        began, used = time.perf_counter(), time.process_time()
-        found = kp.sweep(exact(HUNDRED_MILLION), path)
-        taken, used = time.perf_counter() - began, time.process_time() - used
-        stored = sum(file.stat().st_size for file in path.rglob("*") if file.is_file())
-        good = found.status.attrs["counts"][1]
-    print(
-        f"{good} good cases in {taken:.0f} s ({used:.0f} s of processor time), "
-        f"{spell_bytes(stored)} stored"
-    )
-
-
-if __name__ == "__main__":
-    large()
