@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,15 +14,14 @@ from kugelpendel.sweeps._sensitivity import sensitivity
 from kugelpendel.sweeps._spoken import called_after
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
     from xarray import Dataset
 
     from kugelpendel.errors import Language
     from kugelpendel.sweeps.cases import Sweep
 
 
-def figures(sweep: Sweep, dataset: Dataset, language: Language = "en") -> dict[str, Figure]:
-    """Draw what was asked for: figures by the names of their files.
+def figures(sweep: Sweep, dataset: Dataset, language: Language = "en") -> dict[str, Any]:
+    """Draw what was asked for: figures of matplotlib by the names of their files.
 
     Parameters
     ----------
@@ -45,7 +44,7 @@ def figures(sweep: Sweep, dataset: Dataset, language: Language = "en") -> dict[s
     wide = sum(size > 1 for size in sweep.shape)
     if sweep.design == "grid" and wide:
         return dict(_of_a_grid(sweep, dataset, wide, language))
-    drawn: dict[str, Figure] = {}
+    drawn: dict[str, Any] = {}
     for answer in answers(sweep, dataset):
         drawn.update(_of_a_sample(sweep, answer, language))
     return drawn
@@ -53,10 +52,10 @@ def figures(sweep: Sweep, dataset: Dataset, language: Language = "en") -> dict[s
 
 def _of_a_grid(
     sweep: Sweep, dataset: Dataset, wide: int, language: Language
-) -> list[tuple[str, Figure]]:
+) -> list[tuple[str, Any]]:
     from kugelpendel import plot
 
-    drawn: list[tuple[str, Figure]] = []
+    drawn: list[tuple[str, Any]] = []
     for name in sweep.quantities:
         holds = QUANTITIES[name].holds
         times = sweep.times if QUANTITIES[name].per_time else (None,)
@@ -75,11 +74,11 @@ def _of_a_grid(
     return drawn
 
 
-def _of_reductions(sweep: Sweep, dataset: Dataset, language: Language) -> list[tuple[str, Figure]]:
+def _of_reductions(sweep: Sweep, dataset: Dataset, language: Language) -> list[tuple[str, Any]]:
     """Distributions, where histograms were kept."""
     from kugelpendel import plot
 
-    drawn: list[tuple[str, Figure]] = []
+    drawn: list[tuple[str, Any]] = []
     for name in sweep.quantities:
         quantity = QUANTITIES[name]
         if f"{name}_histogram" not in dataset or quantity.holds == "truth":
@@ -97,10 +96,10 @@ def _of_reductions(sweep: Sweep, dataset: Dataset, language: Language) -> list[t
     return drawn
 
 
-def _of_a_sample(sweep: Sweep, answer: Answer, language: Language) -> list[tuple[str, Figure]]:
+def _of_a_sample(sweep: Sweep, answer: Answer, language: Language) -> list[tuple[str, Any]]:
     from kugelpendel import plot
 
-    drawn: list[tuple[str, Figure]] = []
+    drawn: list[tuple[str, Any]] = []
     quantity = QUANTITIES[answer.name]
     file = f"{answer.name}{_suffix(sweep, answer.time)}"
     title = called_after(answer.name, answer.time, language)
