@@ -10,6 +10,7 @@ from pathlib import Path
 
 from kugelpendel.cli.job_file import schema
 from kugelpendel.cli.job_file.schema_text import markdown
+from kugelpendel.cli.job_file.sweep_schema import SWEEP
 from kugelpendel.sweeps import QUANTITIES
 
 CLASSES = {section.name: section.name.capitalize() for section in schema.FORCES}
@@ -32,7 +33,7 @@ PAGES = {
     "README.md": markdown((schema.PENDULUM, schema.LAUNCH, schema.OUTPUT)),
     "docs/real.md": markdown(schema.FORCES, CLASSES),
     "docs/design.md": markdown((schema.SWING, schema.WIRE, schema.QUESTIONS)),
-    "docs/sweeps.md": f"{markdown((schema.SWEEP,))}\n{quantities()}",
+    "docs/sweeps.md": f"{markdown((SWEEP,))}\n{quantities()}",
 }
 """The table of each page."""
 

@@ -184,7 +184,7 @@ def _lazily(
     from xarray.backends import BackendArray
     from xarray.core import indexing
 
-    class Asked(BackendArray):
+    class SweepArray(BackendArray):
         def __init__(self) -> None:
             self.shape = shape
             self.dtype = np.dtype(dtype)
@@ -193,7 +193,7 @@ def _lazily(
             outer = indexing.IndexingSupport.OUTER
             return indexing.explicit_indexing_adapter(key, self.shape, outer, get)
 
-    return indexing.LazilyIndexedArray(Asked())
+    return indexing.LazilyIndexedArray(SweepArray())
 
 
 def _reduced(

@@ -6,7 +6,7 @@ the same to the last bit whoever has done the chunks and when.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -96,8 +96,8 @@ def binned(values: Numbers) -> NDArray[np.uint32]:
     for k in range(columns.shape[1]):
         column = columns[~np.isnan(columns[:, k]), k]
         size = (np.abs(column).view(np.int64) >> _SHIFT) - _LOWEST + 1
-        place = np.clip(size, 0, _SIZES + 1)
-        signed: NDArray[np.int64] = np.where(column < 0, -place, place) + _SIZES + 1
+        place = np.asarray(np.clip(size, 0, _SIZES + 1), dtype=np.int64)
+        signed = np.where(column < 0, -place, place) + _SIZES + 1
         counts[:, k] = np.bincount(signed, minlength=BINS)
     return counts.reshape(BINS, *values.shape[1:])
 
@@ -147,8 +147,10 @@ def _size(size: NDArray[np.int64]) -> Numbers:
 
 def _united(one: Numbers, other: Numbers) -> Numbers:
     """The fields of the unions of pairs: shape (pairs, fields, *tail) each."""
-    a, b = one.swapaxes(0, 1), other.swapaxes(0, 1)
-    m, n = a[0], b[0]
+    a: Any = one.swapaxes(0, 1)
+    b: Any = other.swapaxes(0, 1)
+    m: Any = a[0]
+    n: Any = b[0]
     total = m + n
     whole = np.where(total > 0, total, 1.0)
     step = (b[2] - a[2]) / whole
@@ -163,10 +165,13 @@ def _united(one: Numbers, other: Numbers) -> Numbers:
         + 4 * step * (m * b[4] - n * a[4])
     )
     # An empty set has the mean 0, which must not count.
-    mean: Numbers = np.where(m == 0, b[2], np.where(n == 0, a[2], a[2] + n * step))
+    mean = np.asarray(a[2] + n * step, dtype=np.float64)
+    mean[n == 0] = a[2][n == 0]
+    mean[m == 0] = b[2][m == 0]
     empty = (m == 0) | (n == 0)
-    sums: list[Numbers] = [
+    sums: list[Any] = [
         np.where(empty, a[k] + b[k], value) for k, value in ((3, m2), (4, m3), (5, m4))
     ]
-    ends = [np.minimum(a[6], b[6]), np.maximum(a[7], b[7])]
-    return np.stack([total, a[1] + b[1], mean, *sums, *ends]).swapaxes(0, 1)
+    ends: list[Any] = [np.minimum(a[6], b[6]), np.maximum(a[7], b[7])]
+    fields: list[Any] = [total, a[1] + b[1], mean, *sums, *ends]
+    return np.stack(fields, axis=1)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from kugelpendel.parameters import require_type
+from kugelpendel.parameters import require_type, wrong_type
 from kugelpendel.sweeps._chunk import Done, chunk_for, do_chunk
 from kugelpendel.sweeps._store import REFUSED, SweepStore, kept_store, writing
 from kugelpendel.sweeps.cases import Sweep
@@ -64,13 +64,25 @@ def sweep(
     last bit as that of an uninterrupted one, by whichever engine, on processors of one kind.
     """
     require_type("The sweep", spec, Sweep)
+    path = _folder(out)
+    if client is not None and not hasattr(client, "submit"):
+        raise wrong_type("client", client, "distributed.Client", "leave it out")
+    if progress is not None and not callable(progress):
+        way_out = "write progress=lambda done, cases, bad: …"
+        raise wrong_type("progress", progress, "function of three numbers", way_out)
     from kugelpendel.sweeps._dataset import dataset_of
 
-    folder = Path(out).absolute()
-    with kept_store(folder, spec, lambda: chunk_for(spec)) as store:
+    with kept_store(path, spec, lambda: chunk_for(spec)) as store:
         for _ in progressed(store, client, progress):
             pass
     return dataset_of(store)
+
+
+def _folder(out: object) -> Path:
+    """The folder as a path from the root, which workers elsewhere need."""
+    if isinstance(out, (str, Path)) and str(out):
+        return Path(out).absolute()
+    raise wrong_type("out", out, "name of a folder", 'write out="out/sweep"')
 
 
 def progressed(

@@ -18,8 +18,8 @@ import numpy as np
 import pytest
 
 import kugelpendel as kp
-from kugelpendel.cli.job_file.schema import SWEEP_FILE
 from kugelpendel.cli.job_file.schema_text import example
+from kugelpendel.cli.job_file.sweep_schema import SWEEP_FILE
 from kugelpendel.cli.sweep.sweep_file import read_sweep_file
 from kugelpendel.sweeps import Listed, Spaced, SweepStore, Uniform
 

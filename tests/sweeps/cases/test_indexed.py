@@ -52,7 +52,7 @@ SINGLE = many("sobol", count=64, seed=7, second_order=False)
 def test_a_grid_is_the_product_of_its_levels() -> None:
     assert GRID.shape == (4, 3, 5)
     assert GRID.size == 60
-    levels = [law.at(np.arange(law.levels)) for law in GRID.varied.values()]  # pyright: ignore[reportArgumentType]
+    levels = [law.at(np.arange(law.levels or 0)) for law in GRID.varied.values()]
     expected = np.array(list(itertools.product(*levels)))
     found = np.stack(list(GRID.values(0, 60).values()), axis=-1)
     assert np.array_equal(found, expected)

@@ -11,6 +11,7 @@ from kugelpendel.cli.job_file.document import read_document
 from kugelpendel.cli.job_file.entries import take_apart
 from kugelpendel.cli.job_file.job import read_job
 from kugelpendel.cli.job_file.kinds import Kind
+from kugelpendel.cli.job_file.sweep_schema import SWEEP_FILE
 from kugelpendel.cli.sweep.sweep_file import _given
 from kugelpendel.parameters import Launch
 from kugelpendel.sweeps import UNITS, assembled
@@ -63,7 +64,7 @@ def test_a_file_says_the_same_as_to_run(path: Path | None, tmp_path: Path) -> No
 
 
 def test_the_units_are_those_of_the_schema() -> None:
-    for section in schema.SWEEP_FILE.sections:
+    for section in SWEEP_FILE.sections:
         if section.name in ("sweep", "launch"):
             continue
         numbers = {

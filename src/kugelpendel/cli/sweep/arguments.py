@@ -27,7 +27,7 @@ def add(commands: Commands) -> None:
 
 
 def _arguments(parser: argparse.ArgumentParser) -> None:
-    from kugelpendel.cli.job_file.schema import SWEEP_FILE
+    from kugelpendel.cli.job_file.sweep_schema import SWEEP_FILE
 
     takes_a_file(parser, SWEEP_FILE, "the sweep")
     engine = parser.add_mutually_exclusive_group()

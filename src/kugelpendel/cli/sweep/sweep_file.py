@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 import kugelpendel as kp
-from kugelpendel.cli.job_file import schema
 from kugelpendel.cli.job_file.document import JobDocument, read_document
 from kugelpendel.cli.job_file.entries import Entries, Mistake, take_apart
 from kugelpendel.cli.job_file.forces import read_forces
@@ -18,6 +17,7 @@ from kugelpendel.cli.job_file.job import read_launch
 from kugelpendel.cli.job_file.kinds import TIME, Kind
 from kugelpendel.cli.job_file.quantity import read_quantity
 from kugelpendel.cli.job_file.schema import Choice, Truth, Vector
+from kugelpendel.cli.job_file.sweep_schema import SWEEP_FILE
 from kugelpendel.cli.sweep.laws import read_law
 from kugelpendel.sweeps import Listed, Normal, Spaced
 
@@ -60,9 +60,9 @@ def read_sweep_file(path: Path) -> SweepFile:
     InvalidInput
         A sentence that names the file and the line, the key, the value seen, and the way out.
     """
-    document = read_document(path, schema.SWEEP_FILE)
+    document = read_document(path, SWEEP_FILE)
     with document.named():
-        tables = take_apart(document.tables, schema.SWEEP_FILE)
+        tables = take_apart(document.tables, SWEEP_FILE)
         names = [name for name in document.tables if name != "sweep"]
         given = {name: _given(tables[name]) for name in names}
         sweep = _sweep(tables["sweep"], given)
@@ -117,7 +117,7 @@ def _components(table: Entries, key: str, holds: Vector) -> dict[str, Any]:
             where = f"{table.where(key)}[{name[-1]}]"
             varies = isinstance(value, (list, dict))
             read = read_law if varies else read_quantity
-            found[name] = read(cast("Any", value), holds.kind, where)
+            found[name] = read(value, holds.kind, where)
     return found
 
 
@@ -164,7 +164,7 @@ def _typical(value: Any, share: float) -> Any:
 
 def _words(asked: Entries, key: str) -> tuple[str, ...]:
     """One word, or several."""
-    value: object = asked.values.get(key)
+    value = asked.values.get(key)
     if value is None:
         raise Mistake(
             f"{asked.where(key)} is missing; write {key} = {asked.section.key(key).example}.",

@@ -1,5 +1,7 @@
 """What varies, and the cases of a sweep from their index."""
 
+from kugelpendel.sweeps.cases._checks import MOST_CASES as MOST_CASES
+from kugelpendel.sweeps.cases._checks import where as where
 from kugelpendel.sweeps.cases._cost import bytes_kept as bytes_kept
 from kugelpendel.sweeps.cases._cost import core_seconds as core_seconds
 from kugelpendel.sweeps.cases._cost import tried_core_seconds as tried_core_seconds
@@ -12,6 +14,4 @@ from kugelpendel.sweeps.cases._laws import Uniform as Uniform
 from kugelpendel.sweeps.cases._pendulums import UNITS as UNITS
 from kugelpendel.sweeps.cases._pendulums import assembled as assembled
 from kugelpendel.sweeps.cases._pendulums import motions as motions
-from kugelpendel.sweeps.cases._sweep import MOST_CASES as MOST_CASES
 from kugelpendel.sweeps.cases._sweep import Sweep as Sweep
-from kugelpendel.sweeps.cases._sweep import where as where

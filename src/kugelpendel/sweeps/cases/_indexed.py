@@ -72,7 +72,7 @@ def sample_cases(sweep: Sweep, laws: Sequence[Law], index: Indices) -> list[Numb
     for first, where in _runs(index):
         count = where.stop - where.start
         draw = np.random.Philox(key=_key(sweep.seed), counter=first * blocks)
-        raw: Any = draw.random_raw(count * blocks * _WORDS)
+        raw = cast("Any", draw).random_raw(count * blocks * _WORDS)
         words[where] = raw.reshape(count, -1)
     return [law.drawn(_chance(words[..., k])) for k, law in enumerate(laws)]
 
@@ -95,9 +95,8 @@ def sobol_cases(sweep: Sweep, laws: Sequence[Law], index: Indices) -> list[Numbe
         of_b = (row == k + 1) | (row == sweep.block - 1)
         if sweep.second_order:
             of_b |= (row > count) & (row != count + 1 + k)
-        word: NDArray[np.uint32] = np.where(
-            of_b, base[count + k][point - first], base[k][point - first]
-        )
+        one, other = base[k][point - first], base[count + k][point - first]
+        word = np.asarray(np.where(of_b, other, one), dtype=np.float64)
         # Among the points is 0; they are taken in the middle of their cells.
         values.append(law.drawn((word + 0.5) * 2.0**-_BITS))
     return values

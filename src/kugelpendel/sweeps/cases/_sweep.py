@@ -13,25 +13,33 @@ from typing import Any, Literal, TypeAlias, cast, get_args
 import numpy as np
 
 from kugelpendel.errors import InvalidInput
-from kugelpendel.parameters import Launch, Numbers, Scalars, one_number
+from kugelpendel.parameters import (
+    Numbers,
+    Scalars,
+    as_array,
+    one_number,
+    one_truth,
+    wrong_type,
+)
+from kugelpendel.sweeps.cases._checks import (
+    MOST_CASES,
+    check_design,
+    check_quantities,
+    check_tables,
+    check_words,
+    is_whole,
+    too_many,
+    where,
+)
 from kugelpendel.sweeps.cases._cost import LEAF
 from kugelpendel.sweeps.cases._indexed import grid_cases, grid_stretch, sample_cases, sobol_cases
-from kugelpendel.sweeps.cases._laws import LAWS, Law, Normal, Spaced, Uniform, stored_law
+from kugelpendel.sweeps.cases._laws import LAWS, Law, stored_law
 from kugelpendel.sweeps.cases._pendulums import UNITS, WORDS, Table, assembled
 
 DesignWord: TypeAlias = Literal["grid", "sample", "sobol"]
 MotionWord: TypeAlias = Literal["exact", "averaged", "real"]
 Kept: TypeAlias = Literal["all", "moments", "quantiles", "histograms"]
 Entry: TypeAlias = float | str | bool | Law
-
-MOST_CASES = 100_000_000_000
-"""More are refused: as many full runs would take a thousand cores two years."""
-
-_MAY_LACK = ("azimuth", "phi", "theta_rate", "phi_rate")
-"""Numbers of a launch that are 0 unless they are given."""
-
-MOST_BASE_POINTS = 2**30
-"""Of a Sobol sequence of 30 bits, as SciPy makes it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,29 +105,27 @@ class Sweep:
     _tables: dict[str, dict[str, Entry]] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        tables = {
-            section: {key: _entry(section, key, value) for key, value in table.items()}
-            for section, table in self.given.items()
-        }
+        tables = _tables(self.given)
         settled = {
             "_tables": tables,
-            "quantities": _words(self.quantities),
-            "times": tuple(one_number(t, "A time", "s") for t in self.times),
-            "keep": _words(self.keep),
+            "quantities": _words(self.quantities, "quantities"),
+            "times": tuple(as_array(cast("Any", self.times), "times", "s").ravel().tolist()),
+            "second_order": one_truth(self.second_order, "second_order"),
+            "keep": _words(self.keep, "keep"),
         }
         for name, value in settled.items():
             object.__setattr__(self, name, value)
-        _check_words(self)
-        _check_tables(tables, self.motion)
-        _check_design(self)
-        _check_quantities(self)
+        check_words(self, get_args(DesignWord), get_args(MotionWord), get_args(Kept))
+        check_tables(tables, self.motion)
+        check_design(self)
+        check_quantities(self)
         if self.size > MOST_CASES:
-            raise _too_many(self)
+            raise too_many(self)
         # What does not vary has to make sense; what varies is judged case by case.
         assembled(self.tables(0, 1))
         chunk, least = self.chunk, 1 if self.keeps_all else LEAF
-        if chunk is not None and not (_is_whole(chunk, least) and chunk & (chunk - 1) == 0):
-            raise InvalidInput.of("sweep_chunk", seen=repr(chunk), least=least)
+        if chunk is not None and not (is_whole(chunk, least) and chunk & (chunk - 1) == 0):
+            raise InvalidInput.of("sweep_chunk", seen=f"{chunk!r:.60}", least=least)
 
     @cached_property
     def varied(self) -> dict[str, Law]:
@@ -263,28 +269,42 @@ def _again(text: str, chunk: int | None) -> Sweep:
     return replace(Sweep.from_json(text), chunk=chunk)
 
 
-def where(name: str) -> str:
-    """A number as a job file has it: ``[launch] a`` for "launch.a"."""
-    section, _, key = name.partition(".")
-    return f"[{section}] {key}"
+def _tables(given: object) -> dict[str, dict[str, Entry]]:
+    """The tables of a job file, each entry checked."""
+    way_out = 'write {"pendulum": {"length": 1.0}, "launch": {"kind": "ellipse", …}}'
+    if not isinstance(given, Mapping):
+        raise wrong_type("given", given, "dict of the tables of a job file", way_out)
+    found: dict[str, dict[str, Entry]] = {}
+    for section, table in cast("Mapping[Any, Any]", given).items():
+        if not isinstance(table, Mapping):
+            raise wrong_type(f"[{section}]", table, "dict of the keys of that table", way_out)
+        entries = cast("Mapping[Any, Any]", table).items()
+        found[str(section)] = {str(key): _entry(str(section), str(key), v) for key, v in entries}
+    return found
 
 
-def _words(words: Any) -> tuple[str, ...]:
-    return (words,) if isinstance(words, str) else tuple(str(word) for word in words)
-
-
-def _is_whole(value: object, least: int) -> bool:
-    return isinstance(value, int) and not isinstance(value, bool) and value >= least
+def _words(words: object, what: str) -> tuple[str, ...]:
+    """One word, or several."""
+    if isinstance(words, str):
+        return (words,)
+    several = cast("Sequence[Any]", words) if isinstance(words, (list, tuple)) else (None,)
+    if all(isinstance(word, str) for word in several):
+        return tuple(several)
+    raise wrong_type(
+        what, cast("object", words), "word or a list of words", f"leave {what} out, or write ['…']"
+    )
 
 
 def _entry(section: str, key: str, value: object) -> Entry:
     """A number in SI, a word or a law, under a key that there is."""
     name = f"{section}.{key}"
     if name in WORDS:
-        if value not in WORDS[name]:
+        if not isinstance(value, (str, bool)) or value not in WORDS[name]:
             known = ", ".join(map(repr, WORDS[name]))
-            raise InvalidInput.of("sweep_word", what=where(name), seen=repr(value), known=known)
-        return cast("str | bool", value)
+            raise InvalidInput.of(
+                "sweep_word", what=where(name), seen=f"{value!r:.60}", known=known
+            )
+        return value
     if section not in UNITS or key not in UNITS[section]:
         known = ", ".join(UNITS) if section not in UNITS else ", ".join(UNITS[section])
         raise InvalidInput.of("sweep_key", name=where(name), known=known)
@@ -295,86 +315,3 @@ def _entry(section: str, key: str, value: object) -> Entry:
     if not isfinite(number):
         raise InvalidInput.of("sweep_not_finite", name=where(name), number=number)
     return number
-
-
-def _check_words(sweep: Sweep) -> None:
-    known = {"design": get_args(DesignWord), "motion": get_args(MotionWord)}
-    for what, words in known.items():
-        if (seen := getattr(sweep, what)) not in words:
-            raise InvalidInput.of(
-                "sweep_word", what=what, seen=repr(seen), known=", ".join(map(repr, words))
-            )
-    kept = get_args(Kept)
-    keep = tuple(sweep.keep)
-    if not keep or not set(keep) <= set(kept) or ("all" in keep and len(keep) > 1):
-        raise InvalidInput.of("sweep_keep", seen=", ".join(keep), known=", ".join(kept[1:]))
-    if not _is_whole(sweep.seed, 0):
-        raise InvalidInput.of("sweep_whole", name="seed", least=0, seen=repr(sweep.seed))
-
-
-def _check_tables(tables: Mapping[str, Mapping[str, Entry]], motion: str) -> None:
-    needed = {"pendulum": ("length",), "launch": ("kind",)}
-    for section, keys in needed.items():
-        for key in keys:
-            if key not in tables.get(section, {}):
-                raise InvalidInput.of("sweep_missing", name=where(f"{section}.{key}"))
-    kind = str(tables["launch"]["kind"])
-    for key in Launch.kinds[kind]:
-        if key not in tables["launch"] and key not in _MAY_LACK:
-            raise InvalidInput.of("sweep_missing", name=where(f"launch.{key}"))
-    for key in tables["launch"]:
-        if key != "kind" and key not in Launch.kinds[kind]:
-            raise InvalidInput.of(
-                "sweep_key", name=where(f"launch.{key}"), known=", ".join(Launch.kinds[kind])
-            )
-    acting = [section for section in tables if section not in ("pendulum", "launch", "bob")]
-    if motion == "exact" and acting:
-        raise InvalidInput.of("sweep_forces", seen=", ".join(acting))
-
-
-def _check_design(sweep: Sweep) -> None:
-    if not sweep.varied:
-        raise InvalidInput.of("sweep_nothing_varies", design=sweep.design)
-    for name, law in sweep.varied.items():
-        if sweep.design == "grid" and isinstance(law, (Normal, Uniform)):
-            raise InvalidInput.of("sweep_no_levels", name=where(name), law=law.word)
-        if isinstance(law, Spaced) and (law.count is None) == (sweep.design == "grid"):
-            kind = "sweep_range_count" if sweep.design == "grid" else "sweep_range_counts"
-            raise InvalidInput.of(kind, name=where(name))
-    if sweep.design == "grid":
-        if sweep.count is not None:
-            raise InvalidInput.of("sweep_count_of_grid", count=sweep.count)
-        return
-    if not _is_whole(sweep.count, 1):
-        raise InvalidInput.of("sweep_whole", name="count", least=1, seen=repr(sweep.count))
-    points = cast("int", sweep.count)
-    if sweep.design == "sobol" and (points & (points - 1) or points > MOST_BASE_POINTS):
-        raise InvalidInput.of(
-            "sweep_power_of_two",
-            count=points,
-            below=1 << max(min(points, MOST_BASE_POINTS).bit_length() - 1, 0),
-        )
-
-
-def _check_quantities(sweep: Sweep) -> None:
-    from kugelpendel.sweeps._quantities import QUANTITIES, require_readable
-
-    names = sweep.quantities
-    if not names or len(set(names)) < len(names):
-        raise InvalidInput.of(
-            "sweep_quantities", seen=", ".join(names), known=", ".join(QUANTITIES)
-        )
-    times = np.asarray(sweep.times, dtype=np.float64)
-    require_readable(sweep.motion, names, times, grounded="site" in sweep.given)
-
-
-def _too_many(sweep: Sweep) -> InvalidInput:
-    from kugelpendel.sweeps.cases._cost import bytes_kept, core_seconds
-
-    return InvalidInput.of(
-        "sweep_too_many",
-        count=float(sweep.size),
-        most=float(MOST_CASES),
-        time=(core_seconds(sweep) * sweep.size / 3600, "h"),
-        size=(bytes_kept(sweep) / 1e9, "GB"),
-    )
