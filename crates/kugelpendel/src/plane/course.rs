@@ -175,8 +175,7 @@ mod tests {
             let [slowest, fastest] = pace(&motion, [0.0, until], &|| false).unwrap_or_else(|e| panic!("{e:?}"));
             let times: Vec<f64> = (0..=200_000).map(|k| until * f64::from(k) / 200_000.0).collect();
             let (mut axes, mut rates) = (vec![0.0; 2 * times.len()], vec![0.0; 7 * times.len()]);
-            let mut fill =
-                |what, out: &mut [f64]| motion.fill(what, &times, out, &mut EnvelopeWalks::default(), &|| false);
+            let fill = |what, out: &mut [f64]| motion.fill(what, &times, out, &mut EnvelopeWalks::default(), &|| false);
             assert_eq!((fill(Envelope::SemiAxes, &mut axes), fill(Envelope::Rates, &mut rates)), (Ok(()), Ok(())));
             let widest = axes.chunks(2).map(|row| row[1].abs()).fold(0.0, f64::max);
             assert!((found.widest / widest - 1.0).abs() < 1e-4, "{found:?} for {widest}");
