@@ -70,5 +70,5 @@ def _strokes(drawn: Plane, panel: Panel) -> None:
 
 
 def _spread(size: int) -> Any:
-    count = min(size, _STROKES)
-    return np.unique(((np.arange(count) + 0.5) * size / count).astype(int))
+    step = -(-size // _STROKES)
+    return np.arange((size - 1) % step // 2, size, step)

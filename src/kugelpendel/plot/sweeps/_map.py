@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
 import numpy as np
-from matplotlib.ticker import MaxNLocator
+from matplotlib.colors import LogNorm, Normalize
+from matplotlib.ticker import LogLocator, MaxNLocator
 
 from kugelpendel.plot import _ink
 from kugelpendel.plot.sweeps._labels import with_unit
@@ -24,6 +25,9 @@ if TYPE_CHECKING:
     from kugelpendel.errors import Language
 
 _CONTOURS = 7
+
+_FAR = 300.0
+"""Of the largest value to the least, above zero, from which on colours are logarithmic."""
 
 _FEWEST = 4
 """Levels each way below which contours would be invented."""
@@ -70,11 +74,10 @@ def values_map(
         unit = unit_of(
             name, float(np.abs(shown).max(initial=0.0)), str(dataset[name].attrs.get("units", "1"))
         )
-        low, high = (shown.min(), shown.max()) if shown.size else (0.0, 1.0)
-        bounds = (float(low) / unit.size, float(high) / unit.size)
+        norm = _norm(shown / unit.size)
         mesh: Any = None
         for panel in drawn.panels:
-            mesh = _draw(drawn, panel, unit.size, bounds)
+            mesh = _draw(drawn, panel, unit.size, norm)
         bar = drawn.figure.colorbar(mesh, ax=[panel.axes for panel in drawn.panels], pad=0.02)
         bar.set_label(with_unit(called(name, language), unit.symbol))
         if handles := drawn.note_missing():
@@ -82,18 +85,23 @@ def values_map(
         return drawn.figure
 
 
-def _draw(drawn: Plane, panel: Panel, size: float, bounds: tuple[float, float]) -> Any:
+def _norm(shown: NDArray[np.float64]) -> Normalize:
+    """From the least to the largest value; in the logarithm where they are far apart."""
+    low, high = (float(shown.min()), float(shown.max())) if shown.size else (0.0, 1.0)
+    return LogNorm(low, high) if 0 < low * _FAR < high else Normalize(low, high)
+
+
+def _draw(drawn: Plane, panel: Panel, size: float, norm: Normalize) -> Any:
     hatched(panel.axes)
     across, up, values = meshed(panel, drawn)
     values = values / size
-    low, high = bounds
-    mesh = panel.axes.pcolormesh(across, up, values, cmap=_ink.TIME, vmin=low, vmax=high)
-    if min(values.shape) >= _FEWEST and high > low:
-        levels = _levels(low, high)
+    mesh = panel.axes.pcolormesh(across, up, values, cmap=_ink.TIME, norm=norm)
+    levels = _levels(norm)
+    if min(values.shape) >= _FEWEST and levels.size:
         with np.errstate(invalid="ignore"):
             lines = panel.axes.contour(
                 drawn.across.values, drawn.up.values, values, levels,
-                colors="white", linewidths=1.1,
+                colors="white", linewidths=1.1, linestyles="solid",
             )  # fmt: skip
 
         def said(level: float) -> str:
@@ -105,8 +113,10 @@ def _draw(drawn: Plane, panel: Panel, size: float, bounds: tuple[float, float]) 
     return mesh
 
 
-def _levels(low: float, high: float) -> NDArray[np.float64]:
-    levels = np.asarray(MaxNLocator(_CONTOURS).tick_values(low, high))
+def _levels(norm: Normalize) -> NDArray[np.float64]:
+    low, high = float(norm.vmin or 0.0), float(norm.vmax or 0.0)
+    locator = LogLocator(numticks=_CONTOURS) if isinstance(norm, LogNorm) else None
+    levels = np.asarray((locator or MaxNLocator(_CONTOURS)).tick_values(low, high))
     return levels[(levels > low) & (levels < high)]
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
 import numpy as np
+from matplotlib.collections import PolyCollection
 from matplotlib.colors import ListedColormap
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
@@ -19,13 +20,16 @@ from kugelpendel.sweeps._spoken import called
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from matplotlib.typing import RcKeyType
     from xarray import Dataset
 
     from kugelpendel.errors import Language
+    from kugelpendel.parameters import Numbers
 
 _NO, _YES = "#dceaf3", "#f0c9c2"
+_LINES = "#b98d86"
 _WORDS = {"stalls": ("round", "stalls"), "clamp_stalls": ("free", "held")}
 
 
@@ -53,7 +57,7 @@ def regions(
     """
     style: dict[RcKeyType, Any] = {
         **_ink.STYLE,
-        "hatch.color": "#b98d86",
+        "hatch.color": _LINES,
         "hatch.linewidth": 0.6,
     }
     with mpl.rc_context(style):
@@ -74,7 +78,7 @@ def regions(
         no, yes = (label(key, language) for key in _WORDS[name])
         handles: list[Artist] = [
             Patch(facecolor=_NO, edgecolor=_ink.QUIET, label=no),
-            Patch(facecolor=_YES, edgecolor="#b98d86", hatch="///", label=yes),
+            Patch(facecolor=_YES, edgecolor=_LINES, hatch="///", label=yes),
             *drawn.note_missing(),
         ]
         if beside is not None:
@@ -85,7 +89,17 @@ def regions(
         return drawn.figure
 
 
-def _hatch(axes: Any, across: Any, up: Any, values: Any) -> None:
+def _hatch(axes: Axes, across: Numbers, up: Numbers, values: Numbers) -> None:
     """Hatch the cells in which it holds, for whoever sees no tint."""
-    held = np.ma.masked_where(np.ma.filled(values, 0.0) < 0.5, values)
-    axes.pcolor(across, up, held, hatch="///", alpha=0.0, linewidth=0)
+    rows, columns = np.nonzero(np.ma.filled(values, 0.0) > 0.5)
+    cells = [
+        (
+            (across[k], up[j]),
+            (across[k + 1], up[j]),
+            (across[k + 1], up[j + 1]),
+            (across[k], up[j + 1]),
+        )
+        for j, k in zip(rows, columns, strict=True)
+    ]
+    held = PolyCollection(cells, facecolors="none", edgecolors=_LINES, linewidths=0, hatch="///")
+    axes.add_collection(held, autolim=False)
