@@ -289,7 +289,7 @@ def _create_arrays(group: Any, sweep: Sweep, chunk: int) -> None:
             make(
                 name, shape=(cases, *tail), chunks=(size, *tail), dtype="float64",
                 fill_value=np.nan, dimension_names=("case", *along), attributes=noted,
-                compressors=_numbers_codec(),
+                compressors=_numbers_codec(sweep),
             )  # fmt: skip
         for kind, count, dtype in reduced_arrays(sweep):
             make(
@@ -326,8 +326,13 @@ def reduced_arrays(sweep: Sweep) -> list[tuple[str, int, str]]:
     return found
 
 
-def _numbers_codec() -> Any:
-    """How values are packed: their bytes sorted by significance, then fast."""
+def _numbers_codec(sweep: Sweep) -> Any:
+    """How values are packed: their bytes sorted by significance, then fast.
+
+    Those of exact motions are not: it would save an eighth, and take a thirtieth of all the time.
+    """
+    if sweep.motion == "exact":
+        return None
     codecs: Any = import_module("zarr.codecs")
     return codecs.BloscCodec(cname="lz4", clevel=1, shuffle="shuffle", typesize=8)
 

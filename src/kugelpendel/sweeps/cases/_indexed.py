@@ -67,13 +67,15 @@ def grid_stretch(laws: Sequence[Law], start: int, stop: int) -> list[Numbers]:
 
 def sample_cases(sweep: Sweep, laws: Sequence[Law], index: Indices) -> list[Numbers]:
     """Independent draws, with the index as the counter of the generator."""
-    blocks = -(-len(laws) // _WORDS)
-    words = np.empty((*index.shape, blocks * _WORDS), dtype=np.uint64)
+    # One or two numbers share a count with those of other cases; more have counts of their own.
+    width = len(laws) if len(laws) < 3 else -(-len(laws) // _WORDS) * _WORDS
+    words = np.empty((*index.shape, width), dtype=np.uint64)
     for first, where in _runs(index):
-        count = where.stop - where.start
-        draw = np.random.Philox(key=_key(sweep.seed), counter=first * blocks)
-        raw = cast("Any", draw).random_raw(count * blocks * _WORDS)
-        words[where] = raw.reshape(count, -1)
+        count, skipped = divmod(first * width, _WORDS)
+        draw = np.random.Philox(key=_key(sweep.seed), counter=count)
+        wanted = (where.stop - where.start) * width
+        raw = cast("Any", draw).random_raw(skipped + wanted)
+        words[where] = raw[skipped:].reshape(-1, width)
     return [law.drawn(_chance(words[..., k])) for k, law in enumerate(laws)]
 
 
@@ -113,7 +115,10 @@ def _runs(index: Indices) -> list[tuple[int, slice]]:
 
 def _chance(words: NDArray[np.uint64]) -> Numbers:
     """Probabilities strictly between 0 and 1, at the middles of 2⁵² cells."""
-    return ((words >> np.uint64(12)).astype(np.float64) + 0.5) * 2.0**-52
+    chance = (words >> np.uint64(12)).astype(np.float64)
+    chance += 0.5
+    chance *= 2.0**-52
+    return chance
 
 
 def _sobol_points(directions: NDArray[np.uint32], start: int, stop: int) -> NDArray[np.uint32]:
