@@ -12,6 +12,7 @@ import pytest
 
 import kugelpendel as kp
 from kugelpendel.sweeps._quantities import QUANTITIES, measure, require_readable
+from kugelpendel.sweeps._readings import READINGS
 
 HOUR = 3600.0
 SITE = kp.Site(math.radians(52.5))
@@ -182,9 +183,7 @@ def test_threads_change_no_bit(repository: Path) -> None:
 
 
 def test_every_quantity_is_read_by_the_motions_that_it_names() -> None:
-    from kugelpendel.sweeps import _quantities
-
-    for kind, readings in _quantities._READINGS.items():
+    for kind, readings in READINGS.items():
         able = {name for name in vars(readings) if not name.startswith("_")}
         assert able == set(names_of(kind)), kind
 
