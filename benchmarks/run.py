@@ -15,7 +15,7 @@ from pathlib import Path
 
 TOPICS = (
     "sampling", "scattered", "ensembles", "real", "walk", "envelope", "ladder", "series", "peers",
-    "startup", "tracks", "explorer",
+    "startup", "tracks", "explorer", "sweeps",
 )  # fmt: skip
 THREADS = (
     "RAYON_NUM_THREADS",

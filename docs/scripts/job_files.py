@@ -10,13 +10,30 @@ from pathlib import Path
 
 from kugelpendel.cli.job_file import schema
 from kugelpendel.cli.job_file.schema_text import markdown
+from kugelpendel.cli.job_file.sweep_schema import SWEEP
+from kugelpendel.sweeps import QUANTITIES
 
 CLASSES = {section.name: section.name.capitalize() for section in schema.FORCES}
+
+
+def quantities() -> str:
+    """The table of what a sweep may read."""
+    lines = ["| quantity | unit | of | what |", "|---|---|---|---|"]
+    for quantity in QUANTITIES.values():
+        motions = ", ".join(
+            word for word in ("exact", "averaged", "real") if word in quantity.motions
+        )
+        when = " at each of the times:" if quantity.per_time else ""
+        text = f"{when} {quantity.text}".strip()
+        lines.append(f"| `{quantity.name}` | {quantity.unit} | {motions} | {text} |")
+    return "\n".join(lines).replace("|b|", "\\|b\\|") + "\n"
+
 
 PAGES = {
     "README.md": markdown((schema.PENDULUM, schema.LAUNCH, schema.OUTPUT)),
     "docs/real.md": markdown(schema.FORCES, CLASSES),
     "docs/design.md": markdown((schema.SWING, schema.WIRE, schema.QUESTIONS)),
+    "docs/sweeps.md": f"{markdown((SWEEP,))}\n{quantities()}",
 }
 """The table of each page."""
 

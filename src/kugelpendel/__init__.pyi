@@ -1,6 +1,7 @@
 from . import olsson as olsson
 from . import plot as plot
 from . import series as series
+from . import sweeps as sweeps
 from . import tracks as tracks
 from .builder import Design as Design
 from .builder import DesignAnswer as DesignAnswer
@@ -44,6 +45,8 @@ from .parameters import Pendulum as Pendulum
 from .parameters import Site as Site
 from .parameters import Suspension as Suspension
 from .parameters import Wire as Wire
+from .sweeps import Sweep as Sweep
+from .sweeps import sweep as sweep
 
 __version__: str
 
@@ -80,6 +83,7 @@ __all__ = [
     "Site",
     "Spectrum",
     "Suspension",
+    "Sweep",
     "Validity",
     "ValidityMap",
     "Wire",
@@ -91,6 +95,8 @@ __all__ = [
     "olsson",
     "plot",
     "series",
+    "sweep",
+    "sweeps",
     "tracks",
     "validity",
     "validity_map",

@@ -2,6 +2,7 @@
 
 import contextlib
 import inspect
+import tempfile
 import warnings
 from collections.abc import Callable, Iterator
 from io import BytesIO
@@ -150,6 +151,23 @@ for _motion in (EXACT, REAL, MEAN):
         f"{_name}.next_event": (_motion.next_event, ("radius", 0.0, 1.0, 0.05), {}),
         f"{_name}.to_xarray": (_motion.to_xarray, (TIMES,), {}),
     }
+
+
+def swept(spec: Any, out: Any, client: Any) -> None:
+    """A sweep in a folder that goes again."""
+    with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
+        kp.sweep(spec, out, client)
+
+
+SWEEP: tuple[Any, ...] = (
+    {"pendulum": {"length": 1.0}, "launch": {"kind": "ellipse", "a": kp.sweeps.Listed((0.1, 0.2)),
+                                             "b": 0.0}},
+    "grid", "exact", ("period",), (), None, 0, True, ("all",), None,
+)  # fmt: skip
+CALLS |= {
+    "Sweep": (kp.Sweep, SWEEP, {}),
+    "sweep": (swept, (kp.Sweep(*SWEEP), "out", None), {}),
+}
 CALLS |= {
     "RealMotion.sample": (REAL.sample, (0.0, 0.1, 3), {}),
     "EnvelopeMotion.rates": (MEAN.rates, (TIMES,), {}),
@@ -208,6 +226,7 @@ def test_a_listener_is_a_function(odd: Any) -> None:
         lambda: tracks.fit(ELLIPSES, progress=odd),
         lambda: tracks.read("none.csv", progress=odd),
         lambda: tracks.synthesise(MEAN, 10.0, 10.0, done=odd),
+        lambda: kp.sweep(kp.Sweep(*SWEEP), "out", progress=odd),
     ):
         with pytest.raises(kp.InvalidInput, match="function"):
             call()

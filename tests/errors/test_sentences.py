@@ -112,8 +112,8 @@ def test_every_sentence_uses_values_that_there_are(language: Language) -> None:
     # A kind that is not provoked above would be one that nobody has seen.
     tables = read(language)
     others = {"other_unit", "missing_extra", "missing_extras"}  # tests/parameters, test_extras
-    # Those of recordings are provoked in tests/tracks.
-    rooms = ("track_", "columns_", "table_", "fit_", "synth_", "plan_")
+    # Those of recordings are provoked in tests/tracks, those of sweeps in tests/sweeps.
+    rooms = ("track_", "columns_", "table_", "fit_", "synth_", "plan_", "sweep_")
     others |= {kind for kind in tables["kinds"] if kind.startswith(rooms)}
     assert set(tables["kinds"]) == set(CORE) | set(PYTHON) | others
     assert set(tables["quantities"]) == set(read("en")["quantities"])

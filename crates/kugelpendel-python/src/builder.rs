@@ -3,7 +3,7 @@
 use crate::given::{Columned, Named};
 use crate::portrait::word;
 use kugelpendel::{
-    Cause, Decay, EnvelopeMotion, ExactMotion, Forces, Invalid, Launch, Pendulum, PrecessionBudget, settle, stretches,
+    Cause, Decay, EnvelopeMotion, ExactMotion, Invalid, Launch, Pendulum, PrecessionBudget, settle, stretches,
 };
 use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyValueError;
@@ -51,21 +51,12 @@ fn made([length, gravity, mass]: [f64; 3]) -> Pendulum {
 }
 
 /// The averaged motion from an outer turning point: the pendulum as given (length, gravity, mass), the ellipse (a, b,
-/// azimuth), and columns of what acts, with one number in each. Beside it the forces, the decay, and what a push alone makes a
-/// bob at rest swing by, m.
-fn averaged(
-    pendulum: [f64; 3],
-    ellipse: [f64; 3],
-    acting: &Columned<'_>,
-) -> PyResult<(EnvelopeMotion, Forces, Decay, f64)> {
+/// azimuth), and columns of what acts, with one number in each.
+fn averaged(pendulum: [f64; 3], ellipse: [f64; 3], acting: &Columned<'_>) -> PyResult<EnvelopeMotion> {
     let wrong = |invalid: Invalid| PyValueError::new_err(invalid.to_string());
     let acting = Named::checked(acting, 1)?.acting()?(0);
     let effective = acting.effective_pendulum(&made(pendulum)).map_err(wrong)?;
-    let forces = acting.forces();
-    let omega0 = effective.angular_frequency();
-    let decay = Decay::new(forces.damping, forces.quadratic, omega0);
-    let motion = EnvelopeMotion::at_apsis(effective, ellipse, forces, acting.drive, 1.0).map_err(wrong)?;
-    Ok((motion, forces, decay, acting.drive.push().abs() / omega0))
+    EnvelopeMotion::at_apsis(effective, ellipse, acting.forces(), acting.drive, 1.0).map_err(wrong)
 }
 
 /// The five shares of the plane's rate, rad/s, and the rates of a and b, m/s.
@@ -75,7 +66,7 @@ pub(crate) fn budget_at_start(
     ellipse: [f64; 3],
     acting: Columned<'_>,
 ) -> PyResult<([f64; 5], [f64; 2])> {
-    let (motion, ..) = averaged(pendulum, ellipse, &acting)?;
+    let motion = averaged(pendulum, ellipse, &acting)?;
     let (PrecessionBudget(shares), rates) = PrecessionBudget::at_start(&motion);
     Ok((shares, rates))
 }
@@ -91,9 +82,9 @@ pub(crate) fn settled(
     ellipse: [f64; 3],
     acting: Columned<'_>,
 ) -> PyResult<Option<SettledRow>> {
-    let (motion, forces, decay, stroke) = averaged(pendulum, ellipse, &acting)?;
+    let motion = averaged(pendulum, ellipse, &acting)?;
     let mut signal = Ok(());
-    let found = settle(&motion, [ellipse[0], forces.rotation[1]], &decay, stroke, || {
+    let found = settle(&motion, || {
         signal = py.check_signals();
         signal.is_ok()
     });

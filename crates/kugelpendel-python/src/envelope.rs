@@ -4,7 +4,8 @@ use crate::columns::{Columns, Numbers, new_array};
 use crate::given::{Problems, Told, bad, each_case, problems, tell};
 use crate::signal::{Signal, lock};
 use kugelpendel::{
-    Drive, Envelope, EnvelopeMotion, EnvelopeWalks, Forces, Halt, Invalid, Pendulum, Quantity, Stop, in_parallel,
+    Drive, Envelope, EnvelopeMotion, EnvelopeWalks, Forces, Halt, Invalid, Pendulum, Quantity, Stop, Verdict,
+    clamp_orbit, course, in_parallel, pace, settle,
 };
 
 use numpy::{IntoPyArray, PyReadonlyArray1};
@@ -97,6 +98,40 @@ impl EnvelopeMotions {
         Ok((array, ends.into_pyarray(py)))
     }
 
+    /// What each plane comes to, nine numbers to a motion: 0 where it goes round, 1 to and fro, 2 where it stands; from when
+    /// and until when it was looked at; by how much it turned; two azimuths; the largest |b|, the amplitude at the end,
+    /// whether the swing dies away. NaN where it cannot be told.
+    fn settled<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
+        self.each(py, |motion, stop| {
+            let s = settle(motion, || !stop())?;
+            let ([low, high], dies) = (s.azimuths, f64::from(s.dies));
+            Some([number(s.verdict), s.from, s.until, s.turned, low, high, s.widest, s.amplitude, dies])
+        })
+    }
+
+    /// The orbit of each launch on the portrait of its clamp, without drag and drive: the verdict as in `settled`, and the
+    /// mean rate of the plane, rad/s.
+    fn orbits<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
+        self.each(py, |motion, stop| {
+            let orbit = clamp_orbit(motion, stop).ok()?;
+            Some([number(orbit.verdict), orbit.rate])
+        })
+    }
+
+    /// Up to a time in s: the largest |b|, when the plane has turned by a quarter, and since when it stands, both infinite
+    /// where it does not. NaN where the motion has ended before.
+    fn course<'py>(&self, py: Python<'py>, until: f64) -> PyResult<Numbers<'py>> {
+        self.each(py, |motion, stop| {
+            let found = course(motion, until, stop).ok()?;
+            Some([found.widest, found.quarter_turn, found.stands_since])
+        })
+    }
+
+    /// The least and the largest rate of each plane between two times in s, in the sense in which the Earth turns it.
+    fn pace<'py>(&self, py: Python<'py>, between: [f64; 2]) -> PyResult<Numbers<'py>> {
+        self.each(py, |motion, stop| pace(motion, between, stop).ok())
+    }
+
     /// The five strengths of the forces, each the largest of all motions, NaN not counted.
     fn strengths(&self) -> [f64; 5] {
         let all = self.motions.iter().flatten().map(EnvelopeMotion::strengths);
@@ -132,6 +167,40 @@ impl EnvelopeMotions {
         });
         signal.raised()?;
         Ok(spans.into_pyarray(py))
+    }
+}
+
+impl EnvelopeMotions {
+    /// N numbers of each motion, on all processors; NaN for the bad ones and where there are none.
+    fn each<'py, const N: usize>(
+        &self,
+        py: Python<'py>,
+        numbers: impl Fn(&EnvelopeMotion, Stop<'_>) -> Option<[f64; N]> + Sync,
+    ) -> PyResult<Numbers<'py>> {
+        let signal = Signal::default();
+        let row = |motion: &Result<EnvelopeMotion, Invalid>, out: &mut [f64], stop: Stop<'_>| {
+            let motion = motion.as_ref().ok().filter(|_| !stop());
+            out.copy_from_slice(&motion.and_then(|motion| numbers(motion, stop)).unwrap_or([f64::NAN; N]));
+        };
+        let array = new_array(py, N * self.motions.len(), |out| {
+            if let [motion] = &self.motions[..] {
+                return row(motion, out, &|| signal.ends_work());
+            }
+            let rows = self.motions.par_iter().zip(out.par_chunks_mut(N));
+            let stop = || signal.has_arrived();
+            signal.watch(|| in_parallel(|| rows.for_each(|(motion, out)| row(motion, out, &stop))));
+        });
+        signal.raised()?;
+        Ok(array)
+    }
+}
+
+/// The number of a verdict, as `settled` has it.
+fn number(verdict: Verdict) -> f64 {
+    match verdict {
+        Verdict::Round => 0.0,
+        Verdict::ToAndFro => 1.0,
+        Verdict::Stands => 2.0,
     }
 }
 

@@ -147,6 +147,14 @@ impl ExactMotions {
         self.each(py, |motion| [motion.swing_period()])
     }
 
+    /// The ellipse at each launch: a and b in m, the azimuth of the long axis in rad, three numbers to a motion.
+    fn ellipses<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
+        self.each(py, |motion| {
+            let ellipse = motion.ellipse();
+            [ellipse.a, ellipse.b, ellipse.azimuth]
+        })
+    }
+
     /// What an error of position is given as a fraction of, m.
     fn amplitude<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, |motion| [motion.amplitude()])

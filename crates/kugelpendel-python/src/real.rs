@@ -1,9 +1,9 @@
 //! Real motions: flat arrays in, flat arrays out.
 
-use crate::columns::Numbers;
+use crate::columns::{Columns, Numbers};
 use crate::given::{Problems, Told, each_case};
 use crate::stepped::{Asked, Leg, Stepped};
-use kugelpendel::{RealMotion, Thread};
+use kugelpendel::{Pendulum, RealMotion, Thread, follow};
 use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -88,6 +88,33 @@ impl RealMotions {
         within: Option<f64>,
     ) -> PyResult<Leg<'py>> {
         self.0.leg(py, &times, &events, between, most, within)
+    }
+
+    /// Each motion up to the last of some ascending times, s: the largest |b|, the least and the largest tension, when the
+    /// plane has turned by a quarter, since when it stands, then a, b and azimuth at each time; NaN for the bad ones and those
+    /// that end before. Columns length, gravity, mass of the point that moves like the bob, and rotation of the ground.
+    fn course<'py>(
+        &self,
+        py: Python<'py>,
+        columns: Vec<PyReadonlyArray1<'py, f64>>,
+        times: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Numbers<'py>> {
+        let (columns, times) = (Columns::checked(&columns, 4, self.0.len())?, times.as_slice()?);
+        if !times.is_sorted() || times.first().is_none_or(|first| *first < 0.0) {
+            return Err(PyValueError::new_err("the times must be in order, the first at least 0"));
+        }
+        self.0.rows(py, 5 + 3 * times.len(), |index, motion, walk, out, stop| {
+            let [length, gravity, mass, rotation] = columns.row(index);
+            let given = (Pendulum { length, gravity, mass }, rotation);
+            let (numbers, ellipses) = out.split_at_mut(5);
+            match follow(motion, given, times, ellipses, walk, stop) {
+                Ok(f) => {
+                    let [least, most] = f.tension;
+                    numbers.copy_from_slice(&[f.widest, least, most, f.quarter_turn, f.stands_since]);
+                }
+                Err(_) => out.fill(f64::NAN),
+            }
+        })
     }
 
     /// First and last time of each motion; ends are looked for over a time of its own, s, and not for ever.

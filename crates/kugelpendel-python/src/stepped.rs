@@ -124,6 +124,39 @@ impl<M: Readable> Stepped<M> {
         Ok((array, ends.into_pyarray(py), why))
     }
 
+    /// How many motions there are.
+    pub(crate) fn len(&self) -> usize {
+        self.motions.len()
+    }
+
+    /// So many numbers of each motion, one row after the other, on all processors; NaN for the bad ones.
+    pub(crate) fn rows<'py>(
+        &self,
+        py: Python<'py>,
+        width: usize,
+        fill: impl Fn(usize, &M, &mut Walk, &mut [f64], Stop<'_>) + Sync,
+    ) -> PyResult<Numbers<'py>> {
+        let signal = Signal::default();
+        let row = |index: usize, out: &mut [f64], stop: Stop<'_>| {
+            out.fill(f64::NAN);
+            if let Ok(motion) = &self.motions[index]
+                && !stop()
+            {
+                fill(index, motion, &mut lock(&self.walks[index]), out, stop);
+            }
+        };
+        let array = new_array(py, width * self.motions.len(), |out| {
+            if self.motions.len() == 1 {
+                return row(0, out, &|| signal.ends_work());
+            }
+            let rows = out.par_chunks_mut(width).enumerate();
+            let stop = || signal.has_arrived();
+            signal.watch(|| in_parallel(|| rows.for_each(|(index, out)| row(index, out, &stop))));
+        });
+        signal.raised()?;
+        Ok(array)
+    }
+
     /// A stretch of the first motion in one pass: states at ascending times, and the events of some kinds between two
     /// times. It is over after so many seconds of work, if any are given.
     pub(crate) fn leg<'py>(

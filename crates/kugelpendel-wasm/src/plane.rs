@@ -4,7 +4,7 @@ use crate::exchange::{refuse, tell};
 use crate::given::Given;
 use crate::memory::{numbers, room};
 use crate::motion::Motion;
-use kugelpendel::{Decay, EllipseForm, Pace, Portrait, PrecessionBudget, Verdict, settle};
+use kugelpendel::{EllipseForm, Pace, Portrait, PrecessionBudget, Verdict, settle};
 
 /// Tells the shares of the Earth, the ellipse itself, the clamp, the damping and the drive, their sum, the rates of a and of b,
 /// and the pace: 0 hurries, 1 lags, 2 stalls, 3 as it should, −1 for none. Whether there are any, as there are for the averaged
@@ -114,17 +114,7 @@ pub unsafe extern "C" fn portrait_verdicts(
 /// told, and 2 where it cannot be told: without a turning ground, and where it would take too long.
 #[unsafe(no_mangle)]
 pub extern "C" fn settles() -> u32 {
-    let found = Given::receive().and_then(|given| {
-        let forces = given.acting.forces();
-        let mut motion = Motion::new(AVERAGED)?;
-        let mut ellipse = [f64::NAN; 3];
-        motion.ellipses(&[0.0], &mut ellipse);
-        let omega0 = given.effective.angular_frequency();
-        let decay = Decay::new(forces.damping, forces.quadratic, omega0);
-        let stroke = given.acting.drive.push().abs() / omega0;
-        let turning = motion.averaged().filter(|_| forces.rotation[1] != 0.0);
-        Ok(turning.and_then(|motion| settle(motion, [ellipse[0], forces.rotation[1]], &decay, stroke, || true)))
-    });
+    let found = Motion::new(AVERAGED).map(|motion| motion.averaged().and_then(|motion| settle(motion, || true)));
     match found {
         Err(invalid) => {
             refuse(&invalid);

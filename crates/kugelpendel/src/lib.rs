@@ -38,6 +38,7 @@ pub use meaning::azimuth::{nearest, unwrap, unwrap_at};
 pub use meaning::compare::{EllipseRates, SWINGS, distances, reach, relative_error};
 pub use meaning::ellipse::Ellipse;
 pub use meaning::events::events_on_a_grid;
+pub use meaning::followed::{Followed, follow};
 pub use meaning::measured::{MeasuredRates, PlanState, measured_rates};
 pub use meaning::olsson;
 pub use meaning::regime::Regime;
@@ -47,6 +48,7 @@ pub use paper::equations::Equation;
 pub use paper::harmonic::{HarmonicLaw, HarmonicMotion, MAX_POWER, Powers};
 pub use paper::integrated::IntegratedMotion;
 pub use plane::budget::{ALIKE, Cause, Pace, PrecessionBudget, STALL, Stretch, stretches};
+pub use plane::course::{PlaneCourse, clamp_orbit, course, pace};
 pub use plane::half_turn::{HalfTurn, critical_damping, under_damping};
 pub use plane::portrait::{
     EllipseForm, Equilibrium, Orbit, Portrait, Verdict, critical_amplitude, critical_anisotropy, intrinsic,

@@ -15,6 +15,7 @@ from kugelpendel.cli.explore import arguments as explore
 from kugelpendel.cli.fit import arguments as fit
 from kugelpendel.cli.options import CommandParser, Refused
 from kugelpendel.cli.run import arguments as run
+from kugelpendel.cli.sweep import arguments as sweep
 from kugelpendel.cli.synth import arguments as synth
 from kugelpendel.cli.terminal import streams
 from kugelpendel.cli.terminal.interrupted import NOTHING_LEFT
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 _BAD_INPUT = 2
 _INTERRUPTED = 130
 
-_COMMANDS = (run, compare, validity, design, fit, synth, derive, explore)
+_COMMANDS = (run, sweep, compare, validity, design, fit, synth, derive, explore)
 """In the order of the help. The parser of each says what does it and which extra it needs."""
 
 

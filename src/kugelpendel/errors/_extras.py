@@ -23,6 +23,8 @@ EXTRAS = {
         "scipy",
         "xarray",
     ),
+    "sweep": ("SALib", "matplotlib", "pint", "rich", "scipy", "xarray", "zarr"),
+    "cluster": ("dask", "distributed"),
     "paper": ("markdown-it-py", "mpmath", "rich", "sympy"),
 }
 """The packages of each extra in pyproject.toml."""
@@ -37,7 +39,7 @@ def require_extra(extra: str, what: str, *packages: str) -> None:
     Parameters
     ----------
     extra
-        That brings them, "run", "fit" or "paper".
+        That brings them, such as "run".
     what
         What needs them, such as "kugelpendel.plot".
     packages

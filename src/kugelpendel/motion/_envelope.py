@@ -237,6 +237,40 @@ class EnvelopeMotion(ForcedMotion[Scalar_co]):
         times = np.asarray(t, dtype=np.float64)
         return PrecessionBudget(times, self.azimuth(t), *np.moveaxis(rates, -1, 0))
 
+    def settled(self) -> Numbers:
+        """What the plane comes to with all that acts, for many motions at once: shape (*shape, 9).
+
+        0 where it goes round, 1 where it swings to and fro, 2 where it stands; from when and until
+        when it was looked at, s; by how much it turned then, rad; between which azimuths it was in
+        the last turn of the Earth, rad, two numbers; largest |b| in that time and a at the end, m;
+        1 where the swing dies away and the look is over its life. NaN without a turning ground,
+        where the motion ends before, and where it would take longer than 120 days.
+        """
+        return self._motions.settled().reshape((*self.shape, 9))
+
+    def clamp_orbits(self) -> Numbers:
+        """What `Portrait` says of the launches, for many at once: shape (*shape, 2).
+
+        The verdict as in `settled`, and the mean rate of the plane, rad/s, without drag and drive.
+        """
+        return self._motions.orbits().reshape((*self.shape, 2))
+
+    def course(self, until: float) -> Numbers:
+        """What the plane does up to a time in s after the launch: shape (*shape, 3).
+
+        Largest |b|, m, to 1e-4 of itself; when the plane has turned by a quarter of a turn, and
+        since when it stands, s, as `Apsides.stands_since` has it, both inf where it does not. NaN
+        where the motion has ended before.
+        """
+        return self._motions.course(until).reshape((*self.shape, 3))
+
+    def pace(self, start: float, stop: float) -> Numbers:
+        """Least and largest rate of the plane between two times in s: rad/s, shape (*shape, 2).
+
+        In the sense in which the Earth turns it, to 1e-3 of their difference; NaN as in `course`.
+        """
+        return self._motions.pace([start, stop]).reshape((*self.shape, 2))
+
     def position(self, t: ArrayLike) -> Numbers:
         """Position from the support, m, z down: shape (*shape, *t.shape, 3).
 

@@ -320,6 +320,13 @@ class ExactMotion(Motion[Scalar_co]):
         columns = [column(np.asarray(r, dtype=np.float64), self._shape) for r in (a, b)]
         return self._shaped(self._motions.ellipse_rates(columns), 7)
 
+    def launch_ellipse(self) -> Numbers:
+        """Semi-axes a and b, m, and azimuth of the major axis, rad, at the launch: (*shape, 3).
+
+        b and the azimuth as in `kp.ellipse`, for many motions at once.
+        """
+        return self._shaped(self._motions.ellipses(), 3)
+
     def summary(self) -> tuple[Any, ...]:
         """What `kp.IdealSummary.of` is made of, for a single motion."""
         return self._motions.summary()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias, Unpack, overload
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, Unpack, cast, overload
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from kugelpendel.parameters import (
     ForceParts,
     Forces,
     Launch,
+    Numbers,
     Pendulum,
     Scalar,
     Scalar_co,
@@ -166,6 +167,20 @@ class RealMotion(ForcedMotion[Scalar_co], SteppedMotion[Scalar_co]):
         """
         swings = 2 * np.pi * _LOOKED / self.angular_frequency
         return self._span_within(column(swings, self.shape))
+
+    def course(self, times: Numbers) -> Numbers:
+        """What the motion does up to the last of some ascending times: shape (*shape, 5 + 3n).
+
+        Largest |b|, m; least and largest tension, N; when the plane has turned by a quarter of a
+        turn and since when it stands, s, as `Apsides.stands_since` has it, both inf where it does
+        not; then a, b, m, and the azimuth of the long axis, rad, at each time, in a straight line
+        between the outer turning points before and after it: NaN before the second of them. NaN
+        throughout where the motion ends before the last time. Times in s, the first at least 0.
+        """
+        values = (*self.effective_pendulum.values, self.rotation)
+        columns = [column(np.asarray(value, np.float64), self.shape) for value in values]
+        motions = cast("_core.RealMotions", self._motions)
+        return motions.course(columns, times).reshape((*self.shape, 5 + 3 * times.size))
 
     @property
     def trust(self) -> str:

@@ -1,3 +1,4 @@
+from . import sweeps as sweeps
 from . import tracks as tracks
 from ._compared import compared as compared
 from ._day import day as day
@@ -14,6 +15,7 @@ __all__ = [
     "overview",
     "portrait",
     "save",
+    "sweeps",
     "tracks",
     "validity",
 ]

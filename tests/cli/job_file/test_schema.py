@@ -10,8 +10,9 @@ from kugelpendel.cli.job_file import schema
 from kugelpendel.cli.job_file.kinds import Kind
 from kugelpendel.cli.job_file.quantity import read_quantity
 from kugelpendel.cli.job_file.schema_text import example, listing, markdown, value_to_paste
+from kugelpendel.cli.job_file.sweep_schema import SWEEP_FILE
 
-FILES = [schema.JOB, schema.DESIGN]
+FILES = [schema.JOB, schema.DESIGN, SWEEP_FILE]
 SECTIONS = {section.name: section for file in FILES for section in file.sections}
 
 
@@ -19,7 +20,12 @@ def test_pages_have_the_tables_of_the_schema(repository: Path) -> None:
     import runpy
 
     script = runpy.run_path(str(repository / "docs/scripts/job_files.py"))
-    assert sorted(script["PAGES"]) == ["README.md", "docs/design.md", "docs/real.md"]
+    assert sorted(script["PAGES"]) == [
+        "README.md",
+        "docs/design.md",
+        "docs/real.md",
+        "docs/sweeps.md",
+    ]
     for name, table in script["PAGES"].items():
         page = (repository / name).read_text(encoding="utf-8")
         assert script["written"](page, table) == page, "run make tables"
@@ -28,7 +34,7 @@ def test_pages_have_the_tables_of_the_schema(repository: Path) -> None:
 def test_every_key_stands_on_a_page(repository: Path) -> None:
     pages = "".join(
         (repository / name).read_text(encoding="utf-8")
-        for name in ("README.md", "docs/real.md", "docs/design.md")
+        for name in ("README.md", "docs/real.md", "docs/design.md", "docs/sweeps.md")
     )
     for section in SECTIONS.values():
         assert f"`[{section.name}]`" in pages

@@ -189,6 +189,11 @@ impl EnvelopeMotion {
         Ok(motion)
     }
 
+    /// The point mass that moves like the bob, and what acts on it.
+    pub(crate) fn given(&self) -> (&Pendulum, &Forces, &Drive) {
+        (&self.pendulum, &self.given.1, &self.given.2)
+    }
+
     /// Fills `out`, [`Envelope::width`] numbers to a time; beyond an end it is left as it was.
     ///
     /// # Errors

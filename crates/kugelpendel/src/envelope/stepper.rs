@@ -5,6 +5,7 @@
 use super::circles::{NUMBERS, SlowState};
 use super::equations::AveragedEquations;
 use super::tableau::{ALL, DENSE, ERROR, STAGE, STAGES};
+use std::f64::consts::TAU;
 
 /// Of a step: against the larger of C±, for Ψ in rad and for Γ; and for the phase in rad.
 const TOLERANCE: f64 = 1e-10;
@@ -15,6 +16,13 @@ const LARGEST: f64 = 1e100;
 
 /// A step ends the motion where it would have to be shorter than this.
 const SHORTEST: f64 = 1e-6;
+
+/// Half a piece of a step in which an angle turns by more than this is halved again, rad, and how often at most.
+const FAR: f64 = 1.0;
+const HALVINGS: usize = 40;
+
+/// Against the larger of C±: pieces shorter than this are not halved.
+const NEAR: f64 = 10.0 * TOLERANCE;
 
 /// How far the integration has come, forwards or backwards: the latest step.
 #[derive(Clone, Debug)]
@@ -99,14 +107,8 @@ impl AveragedStepper {
 
     pub(super) fn at(&self, time: f64) -> Moment {
         let share = if self.size == 0.0 { 0.0 } else { (time - self.start) / self.size };
-        let mut state = self.series[7];
-        for (k, series) in self.series[..7].iter().enumerate().rev() {
-            let factor = if k % 2 == 0 { share } else { 1.0 - share };
-            for (value, coefficient) in state.iter_mut().zip(series) {
-                *value = *value * factor + coefficient;
-            }
-        }
-        Moment { state, angles: followed(self.angles, &self.series[0], &state) }
+        let state = at_share(&self.series, share);
+        Moment { state, angles: followed(self.angles, &self.series, share, &state) }
     }
 
     /// The next step; none where the motion ends, that is where the bob comes level with the support.
@@ -128,9 +130,9 @@ impl AveragedStepper {
                 self.start += self.size;
                 self.size = step;
                 self.series = interpolant(&begin, &end, step, &slopes);
+                self.end_angles = followed(begin_angles, &self.series, 1.0, &end);
                 (self.end, self.slope) = rescaled(end, slopes[STAGES]);
                 self.angles = begin_angles;
-                self.end_angles = followed(begin_angles, &begin, &end);
                 self.next = step * (0.9 * error.powf(-0.125)).clamp(0.33, 6.0);
                 return;
             }
@@ -200,13 +202,90 @@ fn interpolant(begin: &SlowState, end: &SlowState, step: f64, slopes: &[SlowStat
     series
 }
 
-/// The angles of B± at a later state of the same step, which turns C± by less than half a turn.
-fn followed(angles: [f64; 2], begin: &SlowState, state: &SlowState) -> [f64; 2] {
-    let turned = |k: usize| {
-        let (cos, sin) =
-            (begin[k] * state[k] + begin[k + 1] * state[k + 1], begin[k] * state[k + 1] - begin[k + 1] * state[k]);
-        if cos == 0.0 && sin == 0.0 { 0.0 } else { sin.atan2(cos) }
+/// The state when such a share of a step is over.
+fn at_share(series: &[SlowState; 8], share: f64) -> SlowState {
+    let mut state = series[7];
+    for (k, series) in series[..7].iter().enumerate().rev() {
+        let factor = if k % 2 == 0 { share } else { 1.0 - share };
+        for (value, coefficient) in state.iter_mut().zip(series) {
+            *value = *value * factor + coefficient;
+        }
+    }
+    state
+}
+
+/// The angles of B± at the state when such a share of a step is over. Whole turns are those that C± make on the way: next to a
+/// circle the smaller of them passes by zero, and the straight line to it may pass on the other side.
+fn followed(angles: [f64; 2], series: &[SlowState; 8], share: f64, state: &SlowState) -> [f64; 2] {
+    let direct = turned(&series[0], state);
+    let along = wound(series, [0.0, share], [&series[0], state], HALVINGS);
+    let common = state[5] - series[0][5];
+    std::array::from_fn(|k| angles[k] + common + direct[k] + TAU * ((along[k] - direct[k]) / TAU).round())
+}
+
+/// By which angles C± have turned between two shares of a step, in pieces in which they turn by less than [`FAR`].
+fn wound(series: &[SlowState; 8], [from, to]: [f64; 2], [first, last]: [&SlowState; 2], halvings: usize) -> [f64; 2] {
+    let half = 0.5 * (from + to);
+    let middle = at_share(series, half);
+    let [before, after] = [turned(first, &middle), turned(&middle, last)];
+    // What is as near to zero as the integration is exact has no direction.
+    let near = NEAR * size(&series[0]);
+    let settled = |k: usize| {
+        let way = |from: &SlowState, to: &SlowState| (to[2 * k] - from[2 * k]).hypot(to[2 * k + 1] - from[2 * k + 1]);
+        before[k].abs().max(after[k].abs()) < FAR || way(first, &middle).max(way(&middle, last)) < near
     };
-    let common = state[5] - begin[5];
-    [angles[0] + common + turned(0), angles[1] + common + turned(2)]
+    let [before, after] = if halvings == 0 || (settled(0) && settled(1)) {
+        [before, after]
+    } else {
+        [
+            wound(series, [from, half], [first, &middle], halvings - 1),
+            wound(series, [half, to], [&middle, last], halvings - 1),
+        ]
+    };
+    [before[0] + after[0], before[1] + after[1]]
+}
+
+/// The angles between C± of two states, from −π to π.
+fn turned(from: &SlowState, to: &SlowState) -> [f64; 2] {
+    [0, 2].map(|k| {
+        let (cos, sin) = (from[k] * to[k] + from[k + 1] * to[k + 1], from[k] * to[k + 1] - from[k + 1] * to[k]);
+        if cos == 0.0 && sin == 0.0 { 0.0 } else { sin.atan2(cos) }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::envelope::{Envelope, EnvelopeMotion, EnvelopeWalks};
+    use crate::given::drive::Drive;
+    use crate::given::forces::Forces;
+    use crate::given::launch::Launch;
+    use crate::given::pendulum::Pendulum;
+    use crate::plane::portrait::{Portrait, Verdict};
+
+    /// A plane that turns back next to a circle, where one whole turn of A₋ in place of none would be half a turn of it.
+    #[test]
+    fn the_plane_keeps_its_branch_past_a_circle() {
+        let pendulum = Pendulum { length: 10.0, gravity: 9.81, mass: 1.0 };
+        for (share, azimuth) in (0..60_u32).flat_map(|k| [0.0_f64, 0.13, 0.26, 0.4].map(|azimuth| (k, azimuth))) {
+            // From a thousandth to a fifth above the clamp that is just strong enough.
+            let above = 1.0 + 1e-3 * 1.09_f64.powi(share as i32);
+            let anisotropy = above * 2.0 * 5e-5 / (2.0 * azimuth).cos();
+            let forces = Forces { rotation: [0.0, 5e-5], anisotropy, ..Forces::default() };
+            let launch = Launch::Ellipse { a: 0.003, b: 0.0, azimuth };
+            let motion = EnvelopeMotion::new(pendulum, launch, forces, Drive::Absent, true);
+            let motion = motion.unwrap_or_else(|e| panic!("{e:?}"));
+            let portrait = Portrait::new(&pendulum, &forces, 0.003, 0.0);
+            let orbit = portrait.orbit(portrait.form(0.003, 0.0, azimuth));
+            if orbit.verdict != Verdict::ToAndFro {
+                continue;
+            }
+            let times: Vec<f64> = (0..=400).map(|k| 4.0 * orbit.period * f64::from(k) / 400.0).collect();
+            let mut azimuths = vec![f64::NAN; times.len()];
+            let read = motion.fill(Envelope::Azimuth, &times, &mut azimuths, &mut EnvelopeWalks::default(), &|| false);
+            assert_eq!(read, Ok(()));
+            let [low, high] = orbit.azimuths.map(|limit| limit + 0.02 * (limit - azimuth).signum());
+            let outside = azimuths.iter().filter(|azimuth| **azimuth < low || **azimuth > high).count();
+            assert_eq!(outside, 0, "{anisotropy} from {azimuth}: {orbit:?}");
+        }
+    }
 }

@@ -5,6 +5,7 @@ pub(crate) mod azimuth;
 pub(crate) mod compare;
 pub(crate) mod ellipse;
 pub(crate) mod events;
+pub(crate) mod followed;
 pub(crate) mod measured;
 pub mod olsson;
 pub(crate) mod passage;

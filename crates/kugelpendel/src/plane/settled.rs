@@ -46,16 +46,25 @@ pub struct Settled {
     pub dies: bool,
 }
 
-/// Follows a motion on a ground that turns with Ω_z, not 0, from the amplitude `a` in m. `stroke` is what a push alone makes a bob
-/// at rest swing by, |p|/ω0 in m, and 0 without a drive. `None` where the motion ends or a drive brakes it to less than that
-/// before it is looked at, where that would take longer than 120 days, and where `go_on`, which is asked all the time, says no.
-pub fn settle(
-    motion: &EnvelopeMotion,
-    [a, rotation]: [f64; 2],
-    decay: &Decay,
-    stroke: f64,
-    mut go_on: impl FnMut() -> bool,
-) -> Option<Settled> {
+/// Follows a motion until it shows what its plane comes to. `None` without a turning ground, where the motion ends or a drive
+/// brakes it to less than a push alone makes a bob at rest swing by before it is looked at, where that would take longer than
+/// 120 days, and where `go_on`, which is asked all the time, says no.
+pub fn settle(motion: &EnvelopeMotion, mut go_on: impl FnMut() -> bool) -> Option<Settled> {
+    let (pendulum, forces, drive) = motion.given();
+    let (omega0, rotation) = (pendulum.angular_frequency(), forces.rotation[1]);
+    if rotation == 0.0 {
+        return None;
+    }
+    let mut walks = EnvelopeWalks::default();
+    let mut read = |time: f64| {
+        let mut ellipse = [f64::NAN; 3];
+        let held = motion.fill(Envelope::Ellipse, &[time], &mut ellipse, &mut walks, &|| false).is_ok();
+        let [a, b, azimuth] = ellipse;
+        held.then_some((azimuth, [a, b]))
+    };
+    let (_, [a, _]) = read(0.0)?;
+    let decay = Decay::new(forces.damping, forces.quadratic, omega0);
+    let stroke = drive.push().abs() / omega0;
     let driven = stroke > 0.0;
     let loss = decay.rate(a);
     let turn = TAU / rotation.abs();
@@ -66,13 +75,6 @@ pub fn settle(
     if from + windows as f64 * window > LONGEST {
         return None;
     }
-    let mut walks = EnvelopeWalks::default();
-    let mut read = |time: f64| {
-        let (mut azimuth, mut axes) = ([f64::NAN], [f64::NAN; 2]);
-        let held = motion.fill(Envelope::Azimuth, &[time], &mut azimuth, &mut walks, &|| false).is_ok()
-            && motion.fill(Envelope::SemiAxes, &[time], &mut axes, &mut walks, &|| false).is_ok();
-        held.then_some((azimuth[0], axes))
-    };
     for reading in 0..READINGS {
         if !go_on() {
             return None;

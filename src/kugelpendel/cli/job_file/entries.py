@@ -51,7 +51,9 @@ class Mistake(InvalidInput):
         """What was wrong, the value seen, and the way out in a file."""
         if self.cause is None:
             return super().sentence(language, door)
-        return f"{self.place}[{self.section}] {self.cause.sentence(language, door)}"
+        said = self.cause.sentence(language, door)
+        table = f"[{self.section}] "
+        return f"{self.place}{said if table in said else table + said}"
 
     def at(self, place: str) -> Mistake:
         """The same with its place in front of the sentence."""

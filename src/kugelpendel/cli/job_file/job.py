@@ -69,14 +69,15 @@ def read_job(path: Path) -> Job:
             pendulum=pendulum,
             has_mass=has_mass,
             forces=forces,
-            launch=_launch(launch),
+            launch=read_launch(launch),
             grid=read_grid(output),
             format=output.word("format"),
             figure=output.truth("figure"),
         )
 
 
-def _launch(table: Entries) -> kp.Launch:
+def read_launch(table: Entries) -> kp.Launch:
+    """Read the table of the launch; raises InvalidInput as `read_job` does."""
     kind = table.word("kind")
     keys = LAUNCHES[kind]
     if kind == "state":

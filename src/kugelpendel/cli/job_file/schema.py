@@ -53,6 +53,13 @@ class Truth:
 
 
 @dataclass(frozen=True)
+class Several:
+    """One or several words, or quantities of one kind, which may also be a range."""
+
+    holds: Kind | str
+
+
+@dataclass(frozen=True)
 class Key:
     """One line of a file.
 
@@ -75,7 +82,7 @@ class Key:
     """
 
     name: str
-    holds: Kind | Vector | Choice | Number | Truth
+    holds: Kind | Vector | Choice | Number | Truth | Several
     text: str = ""
     default: float | str | bool | None = None
     unless: str = ""

@@ -6,7 +6,7 @@ import textwrap
 from typing import TYPE_CHECKING
 
 from kugelpendel.cli.job_file.kinds import Kind
-from kugelpendel.cli.job_file.schema import Choice, Key, Number, Section, Truth, Vector
+from kugelpendel.cli.job_file.schema import Choice, Key, Number, Section, Several, Truth, Vector
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -87,6 +87,8 @@ def value_to_paste(key: Key) -> str:
             return f"{number:g}"
         case Truth():
             return "true"
+        case Several(holds):
+            return f'["{holds.example}"]' if isinstance(holds, Kind) else f'["{holds}"]'
 
 
 def _rows(section: Section) -> Iterable[tuple[str, str, str]]:

@@ -53,15 +53,15 @@ class Progress:
     def __enter__(self) -> Progress:
         return self
 
-    def advance(self, amount: float) -> None:
-        """Count work as done."""
+    def advance(self, amount: float, note: str = "") -> None:
+        """Count work as done; a note stands behind the bar."""
         self._done += amount
         if self._estimate is not None:
             self._estimate.after(self._done)
         if self._bar is None and self._is_due():
             self._bar = self._draw()
         if self._bar is not None:
-            self._bar.update(self._bar.task_ids[0], completed=self._done)
+            self._bar.update(self._bar.task_ids[0], completed=self._done, note=note)
 
     def reach(self, taken: int, steps: int) -> None:
         """Count as much work as done as so many of so many steps are of all of it."""
@@ -86,8 +86,9 @@ class Progress:
         from rich.progress import Progress as Bar
 
         columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn())
-        bar = Bar(*columns, TimeRemainingColumn(), console=Console(file=sys.stderr), transient=True)
-        task = bar.add_task(self._title, total=self._total)
+        last = (TimeRemainingColumn(), TextColumn("{task.fields[note]}"))
+        bar = Bar(*columns, *last, console=Console(file=sys.stderr), transient=True)
+        task = bar.add_task(self._title, total=self._total, note="")
         bar.update(task, completed=self._done)
         bar.start()
         return bar

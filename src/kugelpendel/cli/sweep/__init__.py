@@ -1,0 +1,1 @@
+"""kugelpendel sweep: many pendulums from one file, and what they come to."""

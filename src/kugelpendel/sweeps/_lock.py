@@ -1,0 +1,61 @@
+"""A folder that one living process at a time writes to."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Generator
+from contextlib import contextmanager
+from pathlib import Path
+
+from kugelpendel.errors import InvalidInput
+
+_LOCK = ".sweep.lock"
+
+
+@contextmanager
+def locked(folder: Path) -> Generator[None]:
+    """Hold the folder of a sweep. Raises InvalidInput where a living process does."""
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / _LOCK
+    while True:
+        lock = os.open(path, os.O_CREAT | os.O_RDWR)
+        if not _hold(lock):
+            os.close(lock)
+            raise InvalidInput.of("sweep_locked", folder=str(folder))
+        try:
+            if path.stat().st_ino == os.fstat(lock).st_ino:
+                break
+        except FileNotFoundError:  # whoever held it has ended just now
+            pass
+        os.close(lock)
+    try:
+        yield
+    finally:
+        path.unlink(missing_ok=True)
+        os.close(lock)
+
+
+if sys.platform == "win32":
+
+    def _hold(lock: int) -> bool:
+        """Lock an open file, unless a living process has done so."""
+        import msvcrt
+
+        try:
+            msvcrt.locking(lock, msvcrt.LK_NBLCK, 1)
+        except OSError:
+            return False
+        return True
+
+else:
+
+    def _hold(lock: int) -> bool:
+        """Lock an open file, unless a living process has done so."""
+        import fcntl
+
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            return False
+        return True
