@@ -255,14 +255,14 @@ pub(crate) fn inner_terms<L: Layout>(k: usize, a: &Coefficients<L::Scalar>, b: &
 
 /// What the terms of a product are made of: a trait and not a closure, since what is not inlined is not compiled for the
 /// processor.
-trait Factors<L: Layout> {
+trait TermFactors<L: Layout> {
     fn at(&self, order: usize) -> L::Registers;
 }
 
 /// One number for each direction.
 struct Directed<'a, V>(&'a Vectors<V>);
 
-impl<L: Layout> Factors<L> for Directed<'_, L::Vector> {
+impl<L: Layout> TermFactors<L> for Directed<'_, L::Vector> {
     #[inline(always)]
     fn at(&self, order: usize) -> L::Registers {
         L::registers(&self.0[order])
@@ -272,7 +272,7 @@ impl<L: Layout> Factors<L> for Directed<'_, L::Vector> {
 /// The same number for all directions.
 struct Everywhere<'a, S>(&'a Coefficients<S>);
 
-impl<L: Layout> Factors<L> for Everywhere<'_, L::Scalar> {
+impl<L: Layout> TermFactors<L> for Everywhere<'_, L::Scalar> {
     #[inline(always)]
     fn at(&self, order: usize) -> L::Registers {
         L::everywhere(self.0[order])
@@ -282,7 +282,7 @@ impl<L: Layout> Factors<L> for Everywhere<'_, L::Scalar> {
 /// Σ a_i b_{k−i} in four sums, so that one multiplication need not wait for the other; a_k comes last, since it is known
 /// last. The sums have names, since those of an array would not stay in registers where the loop is not unrolled.
 #[inline(always)]
-fn sum<L: Layout, F: Factors<L>>(k: usize, a: &F, b: &Vectors<L::Vector>) -> L::Vector {
+fn sum<L: Layout, F: TermFactors<L>>(k: usize, a: &F, b: &Vectors<L::Vector>) -> L::Vector {
     assert!(k <= ORDER);
     let [mut s0, mut s1, mut s2, mut s3] = [L::everywhere(L::same(0.0)); 4];
     let mut i = 0;
