@@ -98,7 +98,7 @@ impl<L: Lanes> Abreast<L> {
         for (lane, step) in steps.iter_mut().enumerate() {
             let Some(LaneStep { problem, direction, step }) = step else { continue };
             if step.next.free {
-                advance_by::<L::Single>(problem, *direction, step);
+                advance_by::<L::Single, false>(problem, *direction, step);
                 self.alone |= 1 << lane;
             } else {
                 self.direction.numbers_mut()[lane] = *direction;

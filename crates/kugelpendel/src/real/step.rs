@@ -21,14 +21,15 @@ dispatch! {
 
 #[inline(always)]
 fn advance_with<A: Arithmetic>(_: A, problem: &Problem, direction: f64, step: &mut Step) {
-    advance_by::<A>(problem, direction, step);
+    advance_by::<A, true>(problem, direction, step);
 }
 
+/// With the orders of the series written out, or in a loop: the same bits.
 #[inline(always)]
-pub(crate) fn advance_by<A: Arithmetic>(problem: &Problem, direction: f64, step: &mut Step) {
+pub(crate) fn advance_by<A: Arithmetic, const WRITTEN_OUT: bool>(problem: &Problem, direction: f64, step: &mut Step) {
     let series = &mut step.series;
     series.start(&step.next.point);
-    problem.field.continue_series::<Alone<A>>(!step.next.free, series);
+    problem.field.continue_series::<Alone<A, WRITTEN_OUT>>(!step.next.free, series);
     let size = longest(series.shares::<Alone<A>>(problem.tolerance), direction);
     conclude::<A>(problem, direction, size, step);
 }

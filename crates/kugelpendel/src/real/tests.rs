@@ -136,12 +136,12 @@ fn one_step<A: Arithmetic>(motion: &RealMotion, direction: f64, step: &mut Step)
     if A::NEEDS == Instructions::Avx2 {
         #[target_feature(enable = "avx2,fma")]
         fn vectors<A: Arithmetic>(motion: &RealMotion, direction: f64, step: &mut Step) {
-            advance_by::<A>(&motion.problem, direction, step);
+            advance_by::<A, false>(&motion.problem, direction, step);
         }
         // SAFETY: asked for in `steps_are_those_of_one`.
         return unsafe { vectors::<A>(motion, direction, step) };
     }
-    advance_by::<A>(&motion.problem, direction, step);
+    advance_by::<A, false>(&motion.problem, direction, step);
 }
 
 #[test]

@@ -39,14 +39,14 @@ pub(crate) trait Layout {
     fn add_registers(a: Self::Registers, b: Self::Registers) -> Self::Registers;
 }
 
-/// One case, its directions side by side.
-pub(crate) struct Alone<A>(PhantomData<A>);
+/// One case, its directions side by side; in a loop over the orders where it is rare, for the same bits in less code.
+pub(crate) struct Alone<A, const WRITTEN_OUT: bool = true>(PhantomData<A>);
 
-impl<A: Arithmetic> Layout for Alone<A> {
+impl<A: Arithmetic, const WRITTEN_OUT: bool> Layout for Alone<A, WRITTEN_OUT> {
     type Scalar = f64;
     type Vector = Vector;
     type Registers = A::Lanes;
-    const WRITTEN_OUT: bool = true;
+    const WRITTEN_OUT: bool = WRITTEN_OUT;
 
     #[inline(always)]
     fn same(value: f64) -> f64 {
