@@ -42,7 +42,7 @@ fn of_one_kind(forces: Forces) -> Vec<RealMotion> {
     let mut motions = Vec::new();
     for k in 0..9 {
         let a = 0.9 * 0.4_f64.powi(k);
-        let launch = Launch::Ellipse { a, b: a * (0.3 * f64::from(k) - 0.9), azimuth: f64::from(k) };
+        let launch = Launch::Ellipse { a, b: a * (0.3 * f64::from(k) - 0.9), azimuth: 0.7 * f64::from(k) };
         motions.push(real(forces, Drive::Absent, Thread::Ends, launch));
     }
     for thread in [Thread::Ends, Thread::Flies, Thread::Rod] {
