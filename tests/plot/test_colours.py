@@ -135,9 +135,10 @@ def test_no_point_of_a_comparison_is_invented() -> None:
 def test_plot_draws_and_holds_nothing_else() -> None:
     """The command line takes figures from here; numbers and words come from other rooms."""
     for name in plot.__all__:
-        if name != "tracks":
+        if name not in ("sweeps", "tracks"):
             assert callable(getattr(plot, name))
             assert "figure" in (getattr(plot, name).__doc__ or "").lower()
-    for name in plot.tracks.__all__:
-        assert callable(getattr(plot.tracks, name))
-        assert (getattr(plot.tracks, name).__doc__ or "").startswith("Draw ")
+    for room in (plot.sweeps, plot.tracks):
+        for name in room.__all__:
+            assert callable(getattr(room, name))
+            assert (getattr(room, name).__doc__ or "").startswith("Draw ")

@@ -75,7 +75,8 @@ def shown(figure: Figure) -> bytes:
 
 
 def test_every_figure_is_asked_for_here() -> None:
-    assert {*FIGURES, "save", "tracks"} == set(plot.__all__)  # test_tracks.py draws those
+    # Those of sweeps and tracks are drawn by test_sweeps.py and test_tracks.py.
+    assert {*FIGURES, "save", "sweeps", "tracks"} == set(plot.__all__)
 
 
 def test_a_notebook_shows_it(figure: Figure) -> None:

@@ -4,7 +4,9 @@ use crate::columns::{Numbers, new_array};
 use crate::given::{Problems, Told, bad, problems, tell};
 use crate::meaning::event;
 use crate::signal::{Signal, lock};
-use kugelpendel::{Ending, Halt, IntegratedMotion, Invalid, Passage, Readings, RealMotion, Stop, Walk, in_parallel};
+use kugelpendel::{
+    Case, Done, Ending, Halt, IntegratedMotion, Invalid, Passage, Readings, RealMotion, Stop, Walk, in_parallel,
+};
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -30,14 +32,48 @@ pub(crate) enum Asked {
     Tension,
 }
 
+impl Asked {
+    /// What is to be read into one row.
+    fn readings<'a>(self, times: &'a [f64], row: &'a mut [f64]) -> Readings<'a> {
+        let readings = Readings { times, ..Readings::default() };
+        match self {
+            Self::Position => Readings { position: row, ..readings },
+            Self::Velocity => Readings { velocity: row, ..readings },
+            Self::Tension => Readings { tension: row, ..readings },
+        }
+    }
+}
+
 /// A motion of the core that is integrated.
-pub(crate) trait Readable: Sync {
+pub(crate) trait Readable: Sync + Sized {
     fn read(&self, readings: &mut Readings<'_>, walk: &mut Walk, stop: Stop<'_>) -> Result<(), Halt>;
+
+    /// Reads many, up to `at_once` side by side; one by one where the motion does not know how.
+    fn read_all<'a, T>(
+        cases: &mut dyn Iterator<Item = Case<'a, Self, T>>,
+        _at_once: usize,
+        done: Done<'_, 'a, Self, T>,
+        stop: Stop<'_>,
+    ) {
+        for mut case in cases {
+            let halted = case.motion.read(&mut case.readings, &mut case.walk, stop);
+            done(case, halted);
+        }
+    }
 }
 
 impl Readable for RealMotion {
     fn read(&self, readings: &mut Readings<'_>, walk: &mut Walk, stop: Stop<'_>) -> Result<(), Halt> {
         self.read(readings, walk, stop)
+    }
+
+    fn read_all<'a, T>(
+        cases: &mut dyn Iterator<Item = Case<'a, Self, T>>,
+        at_once: usize,
+        done: Done<'_, 'a, Self, T>,
+        stop: Stop<'_>,
+    ) {
+        Self::read_all(cases, at_once, done, stop);
     }
 }
 
@@ -83,42 +119,21 @@ impl<M: Readable> Stepped<M> {
         let mut ends = vec![f64::NAN; self.motions.len()];
         let mut why = "";
         let signal = Signal::default();
-        let row = |index: usize, row: &mut [f64], stop: Stop<'_>| -> Option<(f64, Ending)> {
-            row.fill(f64::NAN);
-            let motion = self.motions[index].as_ref().ok()?;
-            let mut readings = Readings { times, ..Readings::default() };
-            *match asked {
-                Asked::Position => &mut readings.position,
-                Asked::Velocity => &mut readings.velocity,
-                Asked::Tension => &mut readings.tension,
-            } = row;
-            match motion.read(&mut readings, &mut lock(&self.walks[index]), stop) {
-                Err(Halt::Ended(time, ending)) => Some((time, ending)),
-                _ => None,
-            }
-        };
         let array = new_array(py, size * self.motions.len(), |out| {
-            if size == 0 {
-                return;
-            }
-            if let [end] = &mut ends[..] {
-                if let Some((time, ending)) = row(0, out, &|| signal.ends_work()) {
-                    (*end, why) = (time, name(ending));
+            out.fill(f64::NAN);
+            match (&self.motions[..], &mut ends[..]) {
+                ([Ok(motion)], [end]) => {
+                    let halted =
+                        motion.read(&mut asked.readings(times, out), &mut lock(&self.walks[0]), &|| signal.ends_work());
+                    if let Err(Halt::Ended(time, ending)) = halted {
+                        (*end, why) = (time, name(ending));
+                    }
                 }
-                return;
+                _ if !out.is_empty() => {
+                    signal.watch(|| self.fill_all(times, asked, out, &mut ends, &|| signal.has_arrived()))
+                }
+                _ => {}
             }
-            let rows = out.par_chunks_mut(size).zip(&mut ends).enumerate();
-            signal.watch(|| {
-                in_parallel(|| {
-                    rows.for_each(|(index, (out, end))| {
-                        if signal.has_arrived() {
-                            out.fill(f64::NAN);
-                        } else if let Some((time, _)) = row(index, out, &|| signal.has_arrived()) {
-                            *end = time;
-                        }
-                    });
-                });
-            });
         });
         signal.raised()?;
         Ok((array, ends.into_pyarray(py), why))
@@ -155,6 +170,31 @@ impl<M: Readable> Stepped<M> {
         });
         signal.raised()?;
         Ok(array)
+    }
+
+    /// Shares the motions out among the threads, each of which takes the next ones when it is done with some.
+    fn fill_all(&self, times: &[f64], asked: Asked, out: &mut [f64], ends: &mut [f64], stop: Stop<'_>) {
+        let rows = out.chunks_mut(out.len() / self.motions.len()).zip(ends).enumerate();
+        let rows = Mutex::new(rows.filter_map(|(index, (row, end))| {
+            let motion = self.motions[index].as_ref().ok()?;
+            let walk = lock(&self.walks[index]).take();
+            Some(Case { tag: (index, end), motion, readings: asked.readings(times, row), walk })
+        }));
+        in_parallel(|| {
+            let threads = rayon::current_num_threads();
+            let at_once = self.motions.len().div_ceil(threads);
+            (0..threads).into_par_iter().for_each(|_| {
+                let mut cases = std::iter::from_fn(|| lock(&rows).next());
+                let mut done = |case: Case<'_, M, (usize, &mut f64)>, halted| {
+                    let (index, end) = case.tag;
+                    *lock(&self.walks[index]) = case.walk;
+                    if let Err(Halt::Ended(time, _)) = halted {
+                        *end = time;
+                    }
+                };
+                M::read_all(&mut cases, at_once, &mut done, stop);
+            });
+        });
     }
 
     /// A stretch of the first motion in one pass: states at ascending times, and the events of some kinds between two

@@ -55,6 +55,7 @@ pub use plane::portrait::{
 };
 pub use plane::push;
 pub use plane::settled::{Settled, settle};
+pub use real::ensemble::{Case, Done};
 pub use real::motion::RealMotion;
 #[cfg(feature = "threads")]
 pub use sampling::threads::in_parallel;

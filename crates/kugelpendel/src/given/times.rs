@@ -48,8 +48,22 @@ impl Times<'_> {
     }
 }
 
-/// Hands the indices of the times to a sweep that goes forwards from t = 0 (side 0) and to one that goes backwards
-/// (side 1), each in its order.
+/// Indices of times, in the order in which a sweep comes to them.
+pub(crate) type Order = Box<dyn Iterator<Item = usize>>;
+
+/// The indices of the times for a sweep that goes forwards from t = 0 and for one that goes backwards.
+pub(crate) fn orders(times: &[f64]) -> [Order; 2] {
+    // Times in order need no list of their indices, which would take as much memory as they do.
+    if times.is_sorted() && times.first().is_some_and(|first| *first >= 0.0) {
+        return [Box::new(0..times.len()), Box::new(0..0)];
+    }
+    let mut order: Vec<usize> = (0..times.len()).collect();
+    order.sort_by(|a, b| times[*a].total_cmp(&times[*b]));
+    let ahead = order.split_off(order.partition_point(|index| times[*index] < 0.0));
+    [Box::new(ahead.into_iter()), Box::new(order.into_iter().rev())]
+}
+
+/// Hands these indices to a sweep that goes forwards (side 0) and to one that goes backwards (side 1).
 ///
 /// # Errors
 /// The first of the two.
@@ -57,13 +71,7 @@ pub(crate) fn both_ways<E>(
     times: &[f64],
     mut sweep: impl FnMut(usize, &mut dyn Iterator<Item = usize>) -> Result<(), E>,
 ) -> Result<(), E> {
-    // Times in order need no list of their indices, which would take as much memory as they do.
-    if times.is_sorted() && times.first().is_some_and(|first| *first >= 0.0) {
-        return sweep(0, &mut (0..times.len()));
-    }
-    let mut order: Vec<usize> = (0..times.len()).collect();
-    order.sort_by(|a, b| times[*a].total_cmp(&times[*b]));
-    let (behind, ahead) = order.split_at(order.partition_point(|index| times[*index] < 0.0));
-    let ahead = sweep(0, &mut ahead.iter().copied());
-    ahead.and(sweep(1, &mut behind.iter().rev().copied()))
+    let [mut ahead, mut behind] = orders(times);
+    let ahead = sweep(0, &mut ahead);
+    ahead.and(sweep(1, &mut behind))
 }

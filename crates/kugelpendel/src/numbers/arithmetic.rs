@@ -4,11 +4,15 @@
 //! Everything numerical is therefore generic over [`Arithmetic`] and inlined into one of two entry points made by
 //! [`dispatch!`]; the processor is asked once, at run time. The two agree to the last few bits, not to the last.
 
+use crate::numbers::lanes::Instructions;
 #[cfg(target_arch = "x86_64")]
 use std::arch::x86_64::{__m256d, _mm256_add_pd, _mm256_fmadd_pd, _mm256_loadu_pd, _mm256_set1_pd, _mm256_storeu_pd};
 use std::sync::OnceLock;
 
 pub(crate) trait Arithmetic: Copy + Send + Sync + 'static {
+    /// Only where the processor has these.
+    const NEEDS: Instructions;
+
     /// a·b + c, rounded once or twice.
     fn mul_add(a: f64, b: f64, c: f64) -> f64;
     /// a·b as an unevaluated sum (rounded product, error).
@@ -63,6 +67,8 @@ pub(crate) struct Fused;
 pub(crate) struct Portable;
 
 impl Arithmetic for Fused {
+    const NEEDS: Instructions = if cfg!(target_arch = "x86_64") { Instructions::Avx2 } else { Instructions::Common };
+
     #[inline(always)]
     fn mul_add(a: f64, b: f64, c: f64) -> f64 {
         a.mul_add(b, c)
@@ -117,6 +123,7 @@ impl Arithmetic for Fused {
 }
 
 impl Arithmetic for Portable {
+    const NEEDS: Instructions = Instructions::Common;
     portable_lanes!();
 
     #[inline(always)]
@@ -178,6 +185,16 @@ pub fn fused() -> bool {
             cfg!(target_arch = "aarch64")
         }
     })
+}
+
+/// The widest vectors that this processor has for numbers side by side, on the path that it takes.
+pub(crate) fn widest() -> Instructions {
+    match () {
+        () if !fused() => Instructions::Common,
+        #[cfg(target_arch = "x86_64")]
+        () if std::arch::is_x86_feature_detected!("avx512f") => Instructions::Avx512,
+        () => Fused::NEEDS,
+    }
 }
 
 /// Makes `fn name(args) -> T`, which calls the generic `body::<Fused or Portable>(args)` compiled for this processor.

@@ -3,8 +3,9 @@
 //! Dimensionless: lengths in l, time in 1/ω0. Both read r̈ = −Λ r with r = (x, y).
 
 use crate::numbers::arithmetic::Arithmetic;
+use crate::taylor::layout::{Alone, Layout};
 use crate::taylor::series::{
-    Coefficients, Point, RECIPROCALS, Series, VectorField, dot, inner_terms, product, square, total,
+    Coefficients, ORDER, Point, RECIPROCALS, Series, VectorField, dot, inner_terms, product, square, total,
 };
 
 /// Which of the paper's two equations of motion is integrated.
@@ -39,47 +40,51 @@ impl Equation {
 }
 
 /// What Λ is made of.
-#[derive(Default)]
 pub(crate) struct PlanTerms {
     /// r·ṙ/depth.
     ratio: Coefficients,
     pull: Coefficients,
 }
 
-impl<A: Arithmetic> VectorField<A> for Equation {
+impl<A: Arithmetic> VectorField<Alone<A>> for Equation {
     type Terms = PlanTerms;
+
+    #[inline(always)]
+    fn terms() -> PlanTerms {
+        PlanTerms { ratio: [0.0; ORDER + 1], pull: [0.0; ORDER + 1] }
+    }
 
     /// The guard is the depth below the support or, for (13), its square: the depth itself goes through zero, its square
     /// does not, so where there is the depth, it shows the end.
     #[inline(always)]
-    fn next_order<const K: usize>(&self, series: &mut Series, terms: &mut PlanTerms) {
+    fn next_order(&self, k: usize, series: &mut Series, terms: &mut PlanTerms) {
         let Series { position, velocity, guard, .. } = series;
         let PlanTerms { ratio, pull } = terms;
-        let one = if K == 0 { 1.0 } else { 0.0 };
-        let radius_squared = square::<A, K>(position);
-        let speed_squared = square::<A, K>(velocity);
+        let one = if k == 0 { 1.0 } else { 0.0 };
+        let radius_squared = square::<Alone<A>>(k, position);
+        let speed_squared = square::<Alone<A>>(k, velocity);
         let depth_squared = one - radius_squared;
-        pull[K] = match self {
+        pull[k] = match self {
             Self::Cubic => {
-                guard[K] = depth_squared;
+                guard[k] = depth_squared;
                 speed_squared - 0.5 * radius_squared + one
             }
             Self::Plane => {
-                let outward = total(&dot::<A, K>(position, velocity));
-                if K == 0 {
+                let outward = total::<Alone<A>>(&dot::<Alone<A>>(k, position, velocity));
+                if k == 0 {
                     guard[0] = depth_squared.sqrt();
                     ratio[0] = outward / guard[0];
                 } else {
-                    guard[K] = (depth_squared - inner_terms::<A, K>(guard, guard)) / (2.0 * guard[0]);
-                    let known = inner_terms::<A, K>(guard, ratio) + guard[K] * ratio[0];
-                    ratio[K] = (outward - known) / guard[0];
+                    guard[k] = (depth_squared - inner_terms::<Alone<A>>(k, guard, guard)) / (2.0 * guard[0]);
+                    let known = inner_terms::<Alone<A>>(k, guard, ratio) + guard[k] * ratio[0];
+                    ratio[k] = (outward - known) / guard[0];
                 }
-                let ends = if K == 0 { ratio[0] * ratio[0] } else { 2.0 * ratio[0] * ratio[K] };
-                inner_terms::<A, K>(ratio, ratio) + ends + speed_squared + guard[K]
+                let ends = if k == 0 { ratio[0] * ratio[0] } else { 2.0 * ratio[0] * ratio[k] };
+                inner_terms::<Alone<A>>(k, ratio, ratio) + ends + speed_squared + guard[k]
             }
         };
-        let turned = product::<A, K>(pull, position);
-        position[K + 1] = velocity[K].map(|v| v * RECIPROCALS[K + 1]);
-        velocity[K + 1] = turned.map(|f| -f * RECIPROCALS[K + 1]);
+        let turned = product::<Alone<A>>(k, pull, position);
+        position[k + 1] = Alone::<A>::times(&velocity[k], RECIPROCALS[k + 1]);
+        velocity[k + 1] = Alone::<A>::times(&turned, -RECIPROCALS[k + 1]);
     }
 }

@@ -8,9 +8,11 @@ use crate::numbers::double_double::Pair;
 use crate::paper::equations::Equation;
 use crate::real::motion::launch_point;
 use crate::taylor::events::{Guard, first};
-use crate::taylor::series::{FINEST, Point, VectorField};
+use crate::taylor::layout::Alone;
+use crate::taylor::series::{FINEST, Point, VectorField, reach};
 use crate::taylor::step::{Checkpoint, Ending, Step, point_at};
-use crate::taylor::walk::{Halt, Readings, StateVector, Stepper, Stop, Walk, find_end, read};
+use crate::taylor::sweep::read;
+use crate::taylor::walk::{Halt, Readings, StateVector, Stepper, Stop, Walk, find_end};
 
 /// A pendulum that moves by an equation in the plan view, from its launch.
 #[derive(Clone, Copy, Debug)]
@@ -103,15 +105,15 @@ fn advance_with<A: Arithmetic>(_: A, equation: Equation, direction: f64, step: &
         return;
     }
     let series = &mut step.series;
-    VectorField::<A>::continue_series(&equation, series);
-    let mut size = direction * series.reach(FINEST);
+    VectorField::<Alone<A>>::continue_series(&equation, series);
+    let mut size = direction * reach(series.shares::<Alone<A>>(FINEST));
     step.ending = None;
     // The motion itself goes on smoothly through the support's level, so a step may reach across it.
-    if !series.guard_holds(size)
+    if !series.guard_holds::<A>(size)
         && let Some(end) = first::<A>(&Guard(series), size, false)
     {
         (size, step.ending) = (end, Some(Ending::Level));
     }
     step.size = size;
-    step.next = step.start.after::<A>(size, series.at::<A>(size));
+    step.next = step.start.after::<A>(size, series.at::<Alone<A>>(size));
 }

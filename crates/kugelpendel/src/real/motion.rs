@@ -12,14 +12,15 @@ use crate::real::problem::Problem;
 use crate::real::step::advance;
 use crate::taylor::series::Point;
 use crate::taylor::step::{Checkpoint, Step, guard_at, point_at};
-use crate::taylor::walk::{Halt, Readings, StateVector, Stepper, Stop, Walk, find_end, read};
+use crate::taylor::sweep::read;
+use crate::taylor::walk::{Halt, Readings, StateVector, Stepper, Stop, Walk, find_end};
 
 /// A pendulum among the forces that act on it, from its launch.
 #[derive(Clone, Debug)]
 pub struct RealMotion {
     pendulum: Pendulum,
     omega0: Pair,
-    problem: Problem,
+    pub(super) problem: Problem,
 }
 
 impl RealMotion {

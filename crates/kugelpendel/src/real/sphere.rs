@@ -5,9 +5,11 @@
 
 use crate::given::forces::Forces;
 use crate::numbers::arithmetic::{Arithmetic, horner};
+use crate::numbers::lanes::{Lanes, Number};
 use crate::taylor::events::{SpeedSquaredRate, first};
+use crate::taylor::layout::Layout;
 use crate::taylor::series::{
-    Coefficients, ORDER, Point, RECIPROCALS, Series, Vector, VectorField, Vectors, dot, inner_terms, product, square,
+    Coefficients, ORDER, Point, RECIPROCALS, Series, SeriesOf, VectorField, Vectors, dot, inner_terms, product, square,
     total,
 };
 
@@ -25,28 +27,39 @@ const AT_ONCE: f64 = 1e-6;
 /// Where a step has to end for quadratic drag: where the bob is slowest. In a plane swing the series of |v| goes on
 /// through zero as that of v, below zero.
 #[inline(always)]
-pub(crate) fn slowest_point<A: Arithmetic>(series: &Series, size: f64) -> Option<f64> {
-    let at = first::<A>(&SpeedSquaredRate(series, size.signum()), size, true)?;
+pub(crate) fn slowest_point<A: Arithmetic>(series: &Series, direction: f64, size: f64) -> Option<f64> {
+    let at = first::<A>(&SpeedSquaredRate(series, direction), size, true)?;
     let slowest = horner::<A, _>(&series.speed_squared, ORDER, at);
-    (at.abs() > AT_ONCE && slowest < SLOW * SLOW * series.speed_squared[0])
-        .then_some(at + 0.5 * AT_ONCE * size.signum())
+    (at.abs() > AT_ONCE && slowest < SLOW * SLOW * series.speed_squared[0]).then_some(at + 0.5 * AT_ONCE * direction)
 }
 
 /// The forces without dimensions, as matrices on r and v.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SphereField {
+pub(crate) struct SphereField<S = f64> {
     /// 2γ.
-    damping: f64,
+    damping: S,
     /// c·l.
-    pub(crate) quadratic: f64,
+    quadratic: S,
     /// On (x, y): −2δ χ̂χ̂ᵀ.
-    stiffness: [[f64; 2]; 2],
+    stiffness: [[S; 2]; 2],
     /// On (x, y): −Δγ(2 χ̂χ̂ᵀ − 1), and the vertical part of the Coriolis force.
-    coupling: [[f64; 2]; 2],
+    coupling: [[S; 2]; 2],
     /// Twice the horizontal rotation.
-    horizontal: f64,
-    /// Whether anything acts beside gravity and damping.
-    forced: bool,
+    horizontal: S,
+    pub(crate) kind: FieldKind,
+}
+
+/// What acts beside gravity and damping: other kinds have other operations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum FieldKind {
+    Bare,
+    Forced,
+    /// Quadratic drag, whatever else.
+    Braked,
+}
+
+impl FieldKind {
+    pub(crate) const COUNT: usize = 3;
 }
 
 impl SphereField {
@@ -64,25 +77,21 @@ impl SphereField {
         coupling[1][1] += fading;
         coupling[0][1] += vertical;
         coupling[1][0] -= vertical;
+        let quadratic = forces.quadratic * length;
+        let kind = if quadratic != 0.0 {
+            FieldKind::Braked
+        } else if anisotropy != 0.0 || fading != 0.0 || horizontal != 0.0 || vertical != 0.0 {
+            FieldKind::Forced
+        } else {
+            FieldKind::Bare
+        };
         Self {
             damping: 2.0 * forces.damping / omega0,
-            quadratic: forces.quadratic * length,
+            quadratic,
             stiffness: stiff.map(|row| row.map(|value| -anisotropy * value)),
             coupling,
             horizontal,
-            forced: anisotropy != 0.0 || fading != 0.0 || horizontal != 0.0 || vertical != 0.0,
-        }
-    }
-
-    /// Continues the series of the motion from where it starts, on a taut thread or in flight.
-    #[inline(always)]
-    pub(crate) fn continue_series<A: Arithmetic>(&self, taut: bool, series: &mut Series) {
-        match (self.forced, self.quadratic != 0.0, taut) {
-            (false, false, true) => VectorField::<A>::continue_series(&ActingField::<false, false, true>(self), series),
-            (true, false, true) => VectorField::<A>::continue_series(&ActingField::<true, false, true>(self), series),
-            (_, true, true) => VectorField::<A>::continue_series(&ActingField::<true, true, true>(self), series),
-            (_, false, false) => VectorField::<A>::continue_series(&ActingField::<true, false, false>(self), series),
-            (_, true, false) => VectorField::<A>::continue_series(&ActingField::<true, true, false>(self), series),
+            kind,
         }
     }
 
@@ -100,75 +109,130 @@ impl SphereField {
         let energy = 0.5 * (vx * vx + vy * vy + vz * vz) + (1.0 - z);
         fading <= self.damping && sideways < MARGIN / 4.0 && energy < 1.0 - MARGIN
     }
+}
+
+impl<S: Number> SphereField<S> {
+    /// Continues the series of the motion from where it starts, on a taut thread or in flight.
+    #[inline(always)]
+    pub(crate) fn continue_series<L: Layout<Scalar = S>>(&self, taut: bool, series: &mut SeriesOf<L>) {
+        macro_rules! acting {
+            ($forced:literal, $quadratic:literal, $taut:literal) => {
+                VectorField::<L>::continue_series(&ActingField::<S, $forced, $quadratic, $taut>(self), series)
+            };
+        }
+        match (self.kind, taut) {
+            (FieldKind::Bare, true) => acting!(false, false, true),
+            (FieldKind::Forced, true) => acting!(true, false, true),
+            (FieldKind::Braked, true) => acting!(true, true, true),
+            (FieldKind::Bare | FieldKind::Forced, false) => acting!(true, false, false),
+            (FieldKind::Braked, false) => acting!(true, true, false),
+        }
+    }
 
     /// All but gravity, damping and the thread.
     #[inline(always)]
-    fn sideways<A: Arithmetic>(&self, position: &Vector, velocity: &Vector) -> Vector {
-        let [x, y, _, _] = *position;
-        let [vx, vy, vz, _] = *velocity;
-        let along = |axis: usize| {
-            let [sx, sy] = self.stiffness[axis];
-            let [cx, cy] = self.coupling[axis];
-            A::mul_add(cx, vx, A::mul_add(cy, vy, A::mul_add(sx, x, sy * y)))
-        };
-        [A::mul_add(self.horizontal, vz, along(0)), along(1), -self.horizontal * vx, 0.0]
+    fn sideways<L: Layout<Scalar = S>>(&self, position: &L::Vector, velocity: &L::Vector) -> L::Vector {
+        let ([x, y, _], [vx, vy, vz]) = (L::parts(position), L::parts(velocity));
+        let along_x = self.along::<L>(0, [x, y], [vx, vy]);
+        let along_y = self.along::<L>(1, [x, y], [vx, vy]);
+        L::vector([L::mul_add(self.horizontal, vz, along_x), along_y, -self.horizontal * vx])
+    }
+
+    #[inline(always)]
+    fn along<L: Layout<Scalar = S>>(&self, axis: usize, [x, y]: [S; 2], [vx, vy]: [S; 2]) -> S {
+        let [sx, sy] = self.stiffness[axis];
+        let [cx, cy] = self.coupling[axis];
+        L::mul_add(cx, vx, L::mul_add(cy, vy, L::mul_add(sx, x, sy * y)))
+    }
+}
+
+impl<L: Lanes> SphereField<L> {
+    /// The same forces in all lanes.
+    pub(crate) fn in_all_lanes(field: &SphereField) -> Self {
+        let matrix = |matrix: [[f64; 2]; 2]| matrix.map(|row| row.map(L::same));
+        Self {
+            damping: L::same(field.damping),
+            quadratic: L::same(field.quadratic),
+            stiffness: matrix(field.stiffness),
+            coupling: matrix(field.coupling),
+            horizontal: L::same(field.horizontal),
+            kind: field.kind,
+        }
+    }
+
+    /// Lays forces of the same kind into a lane.
+    pub(crate) fn set_lane(&mut self, lane: usize, field: &SphereField) {
+        debug_assert_eq!(self.kind, field.kind, "other forces, other operations");
+        let set = |lanes: &mut L, value: f64| lanes.numbers_mut()[lane] = value;
+        set(&mut self.damping, field.damping);
+        set(&mut self.quadratic, field.quadratic);
+        set(&mut self.horizontal, field.horizontal);
+        for (lanes, matrix) in [(&mut self.stiffness, field.stiffness), (&mut self.coupling, field.coupling)] {
+            for (lanes, value) in lanes.as_flattened_mut().iter_mut().zip(matrix.as_flattened()) {
+                set(lanes, *value);
+            }
+        }
     }
 }
 
 /// The forces, with what acts and whether the thread holds known to the compiler.
-struct ActingField<'a, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool>(&'a SphereField);
+struct ActingField<'a, S, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool>(&'a SphereField<S>);
 
-impl<A: Arithmetic, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool> VectorField<A>
-    for ActingField<'_, FORCED, QUADRATIC, TAUT>
+impl<L: Layout, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool> VectorField<L>
+    for ActingField<'_, L::Scalar, FORCED, QUADRATIC, TAUT>
 {
-    type Terms = SphereTerms;
+    type Terms = SphereTerms<L::Scalar, L::Vector>;
 
     #[inline(always)]
-    fn next_order<const K: usize>(&self, series: &mut Series, terms: &mut SphereTerms) {
+    fn terms() -> Self::Terms {
+        let zero = L::same(0.0);
+        SphereTerms { sideways: [L::vector([zero; 3]); ORDER + 1], speed: [zero; ORDER + 1] }
+    }
+
+    #[inline(always)]
+    fn next_order(&self, k: usize, series: &mut SeriesOf<L>, terms: &mut Self::Terms) {
         let ActingField(field) = self;
         let Series { position, velocity, guard, speed_squared } = series;
-        let mut force = velocity[K].map(|v| -field.damping * v);
+        let mut force = L::times(&velocity[k], -field.damping);
         if FORCED {
-            terms.sideways[K] = field.sideways::<A>(&position[K], &velocity[K]);
-            force = plus(force, terms.sideways[K], 1.0);
+            terms.sideways[k] = field.sideways::<L>(&position[k], &velocity[k]);
+            force = L::plus(force, terms.sideways[k], L::same(1.0));
         }
         if QUADRATIC {
             let speed = &mut terms.speed;
-            speed_squared[K] = square::<A, K>(velocity) + if K == 0 { STILL * STILL } else { 0.0 };
-            speed[K] = if K == 0 {
-                speed_squared[0].sqrt()
+            let squared = square::<L>(k, velocity);
+            if k == 0 {
+                speed_squared[0] = squared + L::same(STILL * STILL);
+                speed[0] = L::sqrt(speed_squared[0]);
             } else {
-                (speed_squared[K] - inner_terms::<A, K>(speed, speed)) / (2.0 * speed[0])
-            };
-            let drag = product::<A, K>(speed, velocity);
-            force = plus(force, drag, -field.quadratic);
+                speed_squared[k] = squared;
+                speed[k] = (squared - inner_terms::<L>(k, speed, speed)) / (L::same(2.0) * speed[0]);
+            }
+            let drag = product::<L>(k, speed, velocity);
+            force = L::plus(force, drag, -field.quadratic);
         }
-        if K == 0 {
-            force[2] += 1.0;
+        if k == 0 {
+            let [fx, fy, fz] = L::parts(&force);
+            force = L::vector([fx, fy, fz + L::same(1.0)]);
         }
         if TAUT {
             // Λ_K, and with it the thread's part of the force.
-            let squared = if QUADRATIC { speed_squared[K] } else { square::<A, K>(velocity) };
-            let other = if FORCED { total(&dot::<A, K>(&terms.sideways, position)) } else { 0.0 };
-            guard[K] = squared + other + position[K][2];
-            let pull = product::<A, K>(guard, position);
-            force = plus(force, pull, -1.0);
+            let squared = if QUADRATIC { speed_squared[k] } else { square::<L>(k, velocity) };
+            let other = if FORCED { total::<L>(&dot::<L>(k, &terms.sideways, position)) } else { L::same(0.0) };
+            let [_, _, z] = L::parts(&position[k]);
+            guard[k] = squared + other + z;
+            let pull = product::<L>(k, guard, position);
+            force = L::plus(force, pull, L::same(-1.0));
         }
-        let share = RECIPROCALS[K + 1];
-        velocity[K + 1] = force.map(|f| f * share);
-        position[K + 1] = velocity[K].map(|v| v * share);
+        let share = L::same(RECIPROCALS[k + 1]);
+        velocity[k + 1] = L::times(&force, share);
+        position[k + 1] = L::times(&velocity[k], share);
     }
 }
 
 /// Series that are needed on the way.
-#[derive(Default)]
-pub(crate) struct SphereTerms {
-    sideways: Vectors,
+pub(crate) struct SphereTerms<S, V> {
+    sideways: Vectors<V>,
     /// |v|.
-    speed: Coefficients,
-}
-
-#[inline(always)]
-fn plus(sum: Vector, term: Vector, factor: f64) -> Vector {
-    std::array::from_fn(|lane| sum[lane] + factor * term[lane])
+    speed: Coefficients<S>,
 }

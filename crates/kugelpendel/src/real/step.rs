@@ -5,10 +5,11 @@ use crate::given::drive::Drive;
 use crate::given::forces::Thread;
 use crate::numbers::arithmetic::{Arithmetic, dispatch};
 use crate::real::problem::Problem;
-use crate::real::sphere::slowest_point;
+use crate::real::sphere::{FieldKind, slowest_point};
 use crate::taylor::events::{Beyond, Guard, Outside, Outward, first};
-use crate::taylor::series::{Point, Series};
-use crate::taylor::step::{Ending, Step, ThreadChange};
+use crate::taylor::layout::{Alone, Layout};
+use crate::taylor::series::{Point, Series, reach};
+use crate::taylor::step::{Checkpoint, Ending, Step, ThreadChange};
 
 /// In 1/ω0. Longer steps are never worth their last terms, and an event could come and go within.
 const LONGEST: f64 = 1.5;
@@ -18,24 +19,41 @@ dispatch! {
     pub(crate) fn advance(problem: &Problem, direction: f64, step: &mut Step) = advance_with
 }
 
-/// The step ends at the earliest of: where its series is no longer good, or is long enough; the slowest point, for
-/// quadratic drag; where the thread goes slack or taut; and the push. Each of them is looked for up to the one before.
 #[inline(always)]
 fn advance_with<A: Arithmetic>(_: A, problem: &Problem, direction: f64, step: &mut Step) {
-    let start = step.next;
-    let series = &mut step.series;
-    series.start(&start.point);
-    problem.field.continue_series::<A>(!start.free, series);
+    advance_by::<A, true>(problem, direction, step);
+}
 
-    let mut size = direction * series.reach(problem.tolerance).min(LONGEST);
-    if problem.field.quadratic != 0.0 {
-        size = slowest_point::<A>(series, size).unwrap_or(size);
+/// With the orders of the series written out, or in a loop: the same bits.
+#[inline(always)]
+pub(crate) fn advance_by<A: Arithmetic, const WRITTEN_OUT: bool>(problem: &Problem, direction: f64, step: &mut Step) {
+    let series = &mut step.series;
+    series.start(&step.next.point);
+    problem.field.continue_series::<Alone<A, WRITTEN_OUT>>(!step.next.free, series);
+    let size = longest(series.shares::<Alone<A>>(problem.tolerance), direction);
+    conclude::<A>(problem, direction, size, step);
+}
+
+/// How far the series is good, and long enough; with the sign of the direction.
+#[inline(always)]
+pub(crate) fn longest(shares: [f64; 2], direction: f64) -> f64 {
+    direction * reach(shares).min(LONGEST)
+}
+
+/// Concludes a step whose series is there. It ends at the earliest of: so far; the slowest point, for quadratic drag; where
+/// the thread goes slack or taut; and the push. Each of them is looked for up to the one before.
+#[inline(always)]
+pub(crate) fn conclude<A: Arithmetic>(problem: &Problem, direction: f64, mut size: f64, step: &mut Step) {
+    let start = step.next;
+    let series = &step.series;
+    if problem.field.kind == FieldKind::Braked {
+        size = slowest_point::<A>(series, direction, size).unwrap_or(size);
     }
     let mut thread = ThreadChange::None;
     if let Some((at, change)) = thread_changes::<A>(problem.thread, series, start.free, size) {
         (size, thread) = (at, change);
     }
-    let mut clock = PushClock { armed: start.armed, push_in: start.push_in };
+    let mut clock = PushClock::of(&start);
     let push = clock.push::<A>(problem.drive, series, size);
     if let Some((at, _)) = push {
         // What the thread would have done later it may not do now.
@@ -49,19 +67,18 @@ fn advance_with<A: Arithmetic>(_: A, problem: &Problem, direction: f64, step: &m
         ThreadChange::Tautens => false,
     };
     clock.pass::<A>(problem.drive, series, size, push.is_some());
-    let mut point = series.at::<A>(size);
+    let mut point = series.at::<Alone<A>>(size);
     if !free {
-        onto_sphere(&mut point);
+        onto_sphere::<Alone<A>>(&mut point);
     }
     if let Some((_, push)) = push {
         kick(&mut point, push);
         if !free {
-            onto_sphere(&mut point);
+            onto_sphere::<Alone<A>>(&mut point);
         }
     }
-    let is_finite = point.position.iter().chain(&point.velocity).all(|value| value.is_finite());
     let goes_on = size != 0.0 || thread != ThreadChange::None || push.is_some();
-    (step.ending, step.size) = match (is_finite && goes_on, thread) {
+    (step.ending, step.size) = match (is_finite(&point) && goes_on, thread) {
         (false, _) => (Some(Ending::Runaway), 0.0),
         (true, ThreadChange::Slackens) if !free => (Some(Ending::Slack), size),
         (true, _) => (None, size),
@@ -71,6 +88,20 @@ fn advance_with<A: Arithmetic>(_: A, problem: &Problem, direction: f64, step: &m
     step.next = start.after::<A>(step.size, point);
     step.next.free = free;
     (step.next.armed, step.next.push_in) = (clock.armed, clock.push_in);
+}
+
+/// Ends a step on a taut thread in which nothing happens, as [`conclude`] does, at a point that is known.
+#[inline(always)]
+pub(crate) fn conclude_quietly<A: Arithmetic>(size: f64, point: Point, step: &mut Step) {
+    let start = step.next;
+    (step.ending, step.size, step.thread, step.start) = (None, size, ThreadChange::None, start);
+    step.next = start.after::<A>(size, point);
+    step.next.push_in = start.push_in.map(|time| time - size);
+}
+
+#[inline(always)]
+pub(crate) fn is_finite(point: &Point) -> bool {
+    point.position.iter().chain(&point.velocity).all(|value| value.is_finite())
 }
 
 /// Where the thread goes slack on the sphere, or taut in flight, within a step.
@@ -86,7 +117,7 @@ fn thread_changes<A: Arithmetic>(
         let back = first::<A>(&Outside(series), size, true).filter(|back| *back != 0.0)?;
         return Some((back, ThreadChange::Tautens));
     }
-    if thread == Thread::Rod || series.guard_holds(size) {
+    if thread == Thread::Rod || series.guard_holds::<A>(size) {
         return None;
     }
     let already = series.guard[0] <= 0.0;
@@ -103,6 +134,10 @@ struct PushClock {
 }
 
 impl PushClock {
+    fn of(start: &Checkpoint) -> Self {
+        Self { armed: start.armed, push_in: start.push_in }
+    }
+
     /// The push within a step, and how strong it is.
     #[inline(always)]
     fn push<A: Arithmetic>(&mut self, drive: Drive, series: &Series, size: f64) -> Option<(f64, f64)> {
@@ -144,13 +179,11 @@ fn kick(point: &mut Point, push: f64) {
 
 /// Takes away what rounding, or the thread's jerk, has left of r·r − 1 and r·v.
 #[inline(always)]
-fn onto_sphere(point: &mut Point) {
-    let Point { position, velocity } = point;
-    let [x, y, z, _] = *position;
-    let excess = 0.5 * (x * x + y * y + (z - 1.0) * (z + 1.0));
-    let along = x * velocity[0] + y * velocity[1] + z * velocity[2];
-    for lane in 0..3 {
-        velocity[lane] -= along * position[lane];
-        position[lane] -= excess * position[lane];
-    }
+pub(crate) fn onto_sphere<L: Layout>(point: &mut Point<L::Vector>) {
+    let ([x, y, z], [vx, vy, vz]) = (L::parts(&point.position), L::parts(&point.velocity));
+    let one = L::same(1.0);
+    let excess = L::same(0.5) * (x * x + y * y + (z - one) * (z + one));
+    let along = x * vx + y * vy + z * vz;
+    point.velocity = L::vector([vx - along * x, vy - along * y, vz - along * z]);
+    point.position = L::vector([x - excess * x, y - excess * y, z - excess * z]);
 }

@@ -1,6 +1,8 @@
-//! Integration by Taylor series: a step, the events within it, and the walk from step to step.
+//! Integration by Taylor series: a step, the events within it, the walk from step to step, and what is read on the way.
 
 pub(crate) mod events;
+pub(crate) mod layout;
 pub(crate) mod series;
 pub(crate) mod step;
+pub(crate) mod sweep;
 pub(crate) mod walk;

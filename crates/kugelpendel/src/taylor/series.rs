@@ -2,9 +2,12 @@
 //!
 //! Source: Jorba & Zou, Experimental Mathematics 14, 99 (2005), where for errors at the last bit the best order is
 //! −½ ln ε, and the step that for which the last two terms fall below ε. Series are kept with the three directions of
-//! space side by side, as one vector of the processor: a product of two series is then a few multiplications to a term.
+//! space side by side, as one vector of the processor, or with several cases side by side: a product of two series is then
+//! a few multiplications to a term.
 
-use crate::numbers::arithmetic::{Arithmetic, horner};
+use crate::numbers::arithmetic::Arithmetic;
+use crate::numbers::lanes::{Lanes, Number};
+use crate::taylor::layout::{Alone, Layout, Vector};
 
 /// Of the last term.
 pub(crate) const ORDER: usize = 20;
@@ -12,14 +15,11 @@ pub(crate) const ORDER: usize = 20;
 /// Of the last terms against the state: where a step is no longer better for being shorter.
 pub(crate) const FINEST: f64 = 1e-17;
 
-/// x, y, z and a fourth number that is zero, so that a vector fills a register.
-pub(crate) type Vector = [f64; 4];
-
 /// Coefficients of a scalar function of the time over a step.
-pub(crate) type Coefficients = [f64; ORDER + 1];
+pub(crate) type Coefficients<S = f64> = [S; ORDER + 1];
 
 /// Coefficients of a vector.
-pub(crate) type Vectors = [Vector; ORDER + 1];
+pub(crate) type Vectors<V = Vector> = [V; ORDER + 1];
 
 /// 1/k.
 pub(crate) const RECIPROCALS: Coefficients = {
@@ -34,42 +34,52 @@ pub(crate) const RECIPROCALS: Coefficients = {
 
 /// Where the bob is, and how fast.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Point {
-    pub(crate) position: Vector,
-    pub(crate) velocity: Vector,
+pub(crate) struct Point<V = Vector> {
+    pub(crate) position: V,
+    pub(crate) velocity: V,
 }
 
 /// The motion over a step, as polynomials in the time since its start.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Series {
-    pub(crate) position: Vectors,
-    pub(crate) velocity: Vectors,
+pub(crate) struct Series<S = f64, V = Vector> {
+    pub(crate) position: Vectors<V>,
+    pub(crate) velocity: Vectors<V>,
     /// A function that reaches zero where the law ends.
-    pub(crate) guard: Coefficients,
+    pub(crate) guard: Coefficients<S>,
     /// v², where the law needs it.
-    pub(crate) speed_squared: Coefficients,
+    pub(crate) speed_squared: Coefficients<S>,
 }
 
+/// The series of a layout.
+pub(crate) type SeriesOf<L> = Series<<L as Layout>::Scalar, <L as Layout>::Vector>;
+
 /// r̈ as a function of r and ṙ, without dimensions: lengths in l, times in 1/ω0.
-pub(crate) trait VectorField<A: Arithmetic> {
+pub(crate) trait VectorField<L: Layout> {
     /// Series that are needed on the way.
-    type Terms: Default;
+    type Terms;
 
-    /// From the K-th coefficients of position and velocity to those after.
-    fn next_order<const K: usize>(&self, series: &mut Series, terms: &mut Self::Terms);
+    fn terms() -> Self::Terms;
 
-    /// Continues the series from their first coefficients. Every order is known to the compiler, so that the loops
-    /// within become straight lines.
+    /// From the coefficients of position and velocity of an order to those after.
+    fn next_order(&self, order: usize, series: &mut SeriesOf<L>, terms: &mut Self::Terms);
+
+    /// Continues the series from their first coefficients.
     #[inline(always)]
-    fn continue_series(&self, series: &mut Series) {
-        let terms = &mut Self::Terms::default();
+    fn continue_series(&self, series: &mut SeriesOf<L>) {
+        let terms = &mut Self::terms();
         macro_rules! orders {
             ($($order:literal)+) => {
                 const { assert!([$($order),+].len() == ORDER) }
-                $(self.next_order::<$order>(series, terms);)+
+                $(self.next_order($order, series, terms);)+
             };
         }
-        orders!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19);
+        if L::WRITTEN_OUT {
+            orders!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19);
+        } else {
+            for order in 0..ORDER {
+                self.next_order(order, series, terms);
+            }
+        }
     }
 }
 
@@ -81,59 +91,131 @@ impl Series {
         speed_squared: [0.0; ORDER + 1],
     };
 
+    /// Whether the guard stays above zero; where it seems not to, it has to be looked at more closely.
     #[inline(always)]
-    pub(crate) fn start(&mut self, point: &Point) {
+    pub(crate) fn guard_holds<A: Arithmetic>(&self, size: f64) -> bool {
+        self.guard_margin::<Alone<A>>(size) > 0.0
+    }
+}
+
+impl<S: Number, V: Copy> Series<S, V> {
+    #[inline(always)]
+    pub(crate) fn start(&mut self, point: &Point<V>) {
         self.position[0] = point.position;
         self.velocity[0] = point.velocity;
     }
 
     #[inline(always)]
-    pub(crate) fn at<A: Arithmetic>(&self, since: f64) -> Point {
-        let time = A::same(since);
-        let [mut position, mut velocity] = [A::lanes(&self.position[ORDER]), A::lanes(&self.velocity[ORDER])];
+    pub(crate) fn at<L: Layout<Scalar = S, Vector = V>>(&self, since: S) -> Point<V> {
+        let time = L::everywhere(since);
+        let [mut position, mut velocity] = [L::registers(&self.position[ORDER]), L::registers(&self.velocity[ORDER])];
         for k in (0..ORDER).rev() {
-            position = A::mul_add_lanes(position, time, A::lanes(&self.position[k]));
-            velocity = A::mul_add_lanes(velocity, time, A::lanes(&self.velocity[k]));
+            position = L::mul_add_registers(position, time, L::registers(&self.position[k]));
+            velocity = L::mul_add_registers(velocity, time, L::registers(&self.velocity[k]));
         }
-        Point { position: A::array(position), velocity: A::array(velocity) }
+        Point { position: L::kept(position), velocity: L::kept(velocity) }
     }
 
     #[inline(always)]
-    pub(crate) fn position_at<A: Arithmetic>(&self, since: f64) -> Vector {
-        let time = A::same(since);
-        let mut position = A::lanes(&self.position[ORDER]);
+    pub(crate) fn position_at<L: Layout<Scalar = S, Vector = V>>(&self, since: S) -> V {
+        let time = L::everywhere(since);
+        let mut position = L::registers(&self.position[ORDER]);
         for k in (0..ORDER).rev() {
-            position = A::mul_add_lanes(position, time, A::lanes(&self.position[k]));
+            position = L::mul_add_registers(position, time, L::registers(&self.position[k]));
         }
-        A::array(position)
+        L::kept(position)
     }
 
     /// The guard's value.
     #[inline(always)]
-    pub(crate) fn guard_at<A: Arithmetic>(&self, since: f64) -> f64 {
-        horner::<A, _>(&self.guard, ORDER, since)
+    pub(crate) fn guard_at<L: Layout<Scalar = S, Vector = V>>(&self, since: S) -> S {
+        let mut value = self.guard[ORDER];
+        for k in (0..ORDER).rev() {
+            value = L::mul_add(value, since, self.guard[k]);
+        }
+        value
     }
 
-    /// Whether the guard stays above zero, by a bound that costs less than looking for a zero.
+    /// Above zero where the guard stays so, by a bound that costs less than looking for a zero.
     #[inline(always)]
-    pub(crate) fn guard_holds(&self, size: f64) -> bool {
-        let size = size.abs();
-        let tail = self.guard[1..].iter().rev().fold(0.0, |sum, c| (sum + c.abs()) * size);
-        self.guard[0] > tail
+    pub(crate) fn guard_margin<L: Layout<Scalar = S, Vector = V>>(&self, size: S) -> S {
+        let size = L::abs(size);
+        let [first, rest @ ..] = &self.guard;
+        let mut tail = L::same(0.0);
+        for coefficient in rest.iter().rev() {
+            tail = (tail + L::abs(*coefficient)) * size;
+        }
+        *first - tail
     }
 
-    /// How far the series may be followed: until its last two terms reach `tolerance` of the state.
+    /// From which [`reach`] finds how far the series may be followed: what `tolerance` leaves of the state, against the
+    /// last term and against the one before.
     #[inline(always)]
-    pub(crate) fn reach(&self, tolerance: f64) -> f64 {
-        let largest = |vector: &Vector| vector[0].abs().max(vector[1].abs()).max(vector[2].abs());
-        let [x, y, _, _] = self.position[0];
-        let size = tolerance * largest(&self.velocity[0]).max(x.abs()).max(y.abs());
-        let last = largest(&self.position[ORDER]).max(largest(&self.velocity[ORDER]));
-        let before = largest(&self.position[ORDER - 1]).max(largest(&self.velocity[ORDER - 1]));
-        let reach = root(size / last, ORDER).min(root(size / before, ORDER - 1));
-        // At rest nothing limits the step.
-        if reach.is_finite() { reach } else { 1.0 }
+    pub(crate) fn shares<L: Layout<Scalar = S, Vector = V>>(&self, tolerance: S) -> [S; 2] {
+        let [x, y, _] = L::parts(&self.position[0]);
+        let state = L::max(L::max(largest::<L>(&self.velocity[0]), L::abs(x)), L::abs(y));
+        let size = tolerance * state;
+        let [last, before] = [self.largest_term::<L>(ORDER), self.largest_term::<L>(ORDER - 1)];
+        [size / last, size / before]
     }
+
+    #[inline(always)]
+    fn largest_term<L: Layout<Scalar = S, Vector = V>>(&self, order: usize) -> S {
+        L::max(largest::<L>(&self.position[order]), largest::<L>(&self.velocity[order]))
+    }
+}
+
+/// The largest of the three directions, without its sign.
+#[inline(always)]
+fn largest<L: Layout>(vector: &L::Vector) -> L::Scalar {
+    let [x, y, z] = L::parts(vector);
+    L::max(L::max(L::abs(x), L::abs(y)), L::abs(z))
+}
+
+impl<L: Lanes> Series<L, [L; 3]> {
+    pub(crate) fn zero() -> Self {
+        let zero = L::same(0.0);
+        Self {
+            position: [[zero; 3]; ORDER + 1],
+            velocity: [[zero; 3]; ORDER + 1],
+            guard: [zero; ORDER + 1],
+            speed_squared: [zero; ORDER + 1],
+        }
+    }
+
+    /// Lays a point into a lane, as the start of its series.
+    #[inline(always)]
+    pub(crate) fn start_lane(&mut self, lane: usize, point: &Point) {
+        for direction in 0..3 {
+            self.position[0][direction].numbers_mut()[lane] = point.position[direction];
+            self.velocity[0][direction].numbers_mut()[lane] = point.velocity[direction];
+        }
+    }
+
+    /// The series of one lane.
+    #[inline(always)]
+    pub(crate) fn copy_lane(&self, lane: usize, series: &mut Series) {
+        for k in 0..=ORDER {
+            series.position[k] = in_lane(&self.position[k], lane);
+            series.velocity[k] = in_lane(&self.velocity[k], lane);
+            series.guard[k] = self.guard[k].numbers()[lane];
+            series.speed_squared[k] = self.speed_squared[k].numbers()[lane];
+        }
+    }
+}
+
+/// The vector of one lane.
+#[inline(always)]
+pub(crate) fn in_lane<L: Lanes>([x, y, z]: &[L; 3], lane: usize) -> Vector {
+    [x.numbers()[lane], y.numbers()[lane], z.numbers()[lane], 0.0]
+}
+
+/// How far a series may be followed: until its last two terms reach the tolerance.
+#[inline(always)]
+pub(crate) fn reach([last, before]: [f64; 2]) -> f64 {
+    let reach = root(last, ORDER).min(root(before, ORDER - 1));
+    // At rest nothing limits the step.
+    if reach.is_finite() { reach } else { 1.0 }
 }
 
 /// By exp2 and log2, which are three times faster than powf and as good as a step needs.
@@ -142,78 +224,115 @@ fn root(value: f64, order: usize) -> f64 {
     (value.log2() / order as f64).exp2()
 }
 
-/// The K-th coefficient of a product of two vectors, direction by direction.
+/// The k-th coefficient of a product of two vectors, direction by direction.
 #[inline(always)]
-pub(crate) fn dot<A: Arithmetic, const K: usize>(a: &Vectors, b: &Vectors) -> Vector {
-    sum::<A, Vector, K>(a, b)
+pub(crate) fn dot<L: Layout>(k: usize, a: &Vectors<L::Vector>, b: &Vectors<L::Vector>) -> L::Vector {
+    sum::<L, _>(k, &Directed(a), b)
 }
 
 /// Of a scalar and a vector.
 #[inline(always)]
-pub(crate) fn product<A: Arithmetic, const K: usize>(a: &Coefficients, b: &Vectors) -> Vector {
-    sum::<A, f64, K>(a, b)
+pub(crate) fn product<L: Layout>(k: usize, a: &Coefficients<L::Scalar>, b: &Vectors<L::Vector>) -> L::Vector {
+    sum::<L, _>(k, &Everywhere(a), b)
 }
 
-/// Of two scalars, but for the terms with the K-th coefficient of either.
+/// Of two scalars, but for the terms with the k-th coefficient of either.
 #[inline(always)]
-pub(crate) fn inner_terms<A: Arithmetic, const K: usize>(a: &Coefficients, b: &Coefficients) -> f64 {
-    let mut sums = [0.0; 2];
-    for i in 1..K {
-        sums[i % 2] = A::mul_add(a[i], b[K - i], sums[i % 2]);
+pub(crate) fn inner_terms<L: Layout>(k: usize, a: &Coefficients<L::Scalar>, b: &Coefficients<L::Scalar>) -> L::Scalar {
+    assert!(k <= ORDER);
+    let [mut even, mut odd] = [L::same(0.0); 2];
+    let mut i = 1;
+    while i + 1 < k {
+        odd = L::mul_add(a[i], b[k - i], odd);
+        even = L::mul_add(a[i + 1], b[k - i - 1], even);
+        i += 2;
     }
-    sums[0] + sums[1]
+    if i < k {
+        odd = L::mul_add(a[i], b[k - i], odd);
+    }
+    even + odd
 }
 
-/// What a term of a product is made of: the same for all directions, or one number for each.
-trait TermFactor<A: Arithmetic> {
-    fn lanes(&self) -> A::Lanes;
+/// What the terms of a product are made of: a trait and not a closure, since what is not inlined is not compiled for the
+/// processor.
+trait TermFactors<L: Layout> {
+    fn at(&self, order: usize) -> L::Registers;
 }
 
-impl<A: Arithmetic> TermFactor<A> for f64 {
+/// One number for each direction.
+struct Directed<'a, V>(&'a Vectors<V>);
+
+impl<L: Layout> TermFactors<L> for Directed<'_, L::Vector> {
     #[inline(always)]
-    fn lanes(&self) -> A::Lanes {
-        A::same(*self)
+    fn at(&self, order: usize) -> L::Registers {
+        L::registers(&self.0[order])
     }
 }
 
-impl<A: Arithmetic> TermFactor<A> for Vector {
+/// The same number for all directions.
+struct Everywhere<'a, S>(&'a Coefficients<S>);
+
+impl<L: Layout> TermFactors<L> for Everywhere<'_, L::Scalar> {
     #[inline(always)]
-    fn lanes(&self) -> A::Lanes {
-        A::lanes(self)
+    fn at(&self, order: usize) -> L::Registers {
+        L::everywhere(self.0[order])
     }
 }
 
-/// Σ a_i b_{K−i} in four sums, so that one multiplication need not wait for the other; a_K comes last, since it is known
-/// last.
+/// Σ a_i b_{k−i} in four sums, so that one multiplication need not wait for the other; a_k comes last, since it is known
+/// last. The sums have names, since those of an array would not stay in registers where the loop is not unrolled.
 #[inline(always)]
-fn sum<A: Arithmetic, F: TermFactor<A>, const K: usize>(a: &[F; ORDER + 1], b: &Vectors) -> Vector {
-    let mut sums = [A::same(0.0); 4];
-    for i in 0..K {
-        sums[i % 4] = A::mul_add_lanes(a[i].lanes(), A::lanes(&b[K - i]), sums[i % 4]);
+fn sum<L: Layout, F: TermFactors<L>>(k: usize, a: &F, b: &Vectors<L::Vector>) -> L::Vector {
+    assert!(k <= ORDER);
+    let [mut s0, mut s1, mut s2, mut s3] = [L::everywhere(L::same(0.0)); 4];
+    let mut i = 0;
+    while i + 4 <= k {
+        s0 = L::mul_add_registers(a.at(i), L::registers(&b[k - i]), s0);
+        s1 = L::mul_add_registers(a.at(i + 1), L::registers(&b[k - i - 1]), s1);
+        s2 = L::mul_add_registers(a.at(i + 2), L::registers(&b[k - i - 2]), s2);
+        s3 = L::mul_add_registers(a.at(i + 3), L::registers(&b[k - i - 3]), s3);
+        i += 4;
     }
-    let early = A::add_lanes(A::add_lanes(sums[0], sums[1]), A::add_lanes(sums[2], sums[3]));
-    A::array(A::mul_add_lanes(a[K].lanes(), A::lanes(&b[0]), early))
+    if i < k {
+        s0 = L::mul_add_registers(a.at(i), L::registers(&b[k - i]), s0);
+    }
+    if i + 1 < k {
+        s1 = L::mul_add_registers(a.at(i + 1), L::registers(&b[k - i - 1]), s1);
+    }
+    if i + 2 < k {
+        s2 = L::mul_add_registers(a.at(i + 2), L::registers(&b[k - i - 2]), s2);
+    }
+    let early = L::add_registers(L::add_registers(s0, s1), L::add_registers(s2, s3));
+    L::kept(L::mul_add_registers(a.at(k), L::registers(&b[0]), early))
 }
 
-/// The K-th coefficient of the square of a vector.
+/// The k-th coefficient of the square of a vector.
 #[inline(always)]
-pub(crate) fn square<A: Arithmetic, const K: usize>(a: &Vectors) -> f64 {
-    let mut sums = [A::same(0.0); 2];
-    for i in 1..K.div_ceil(2) {
-        sums[i % 2] = A::mul_add_lanes(A::lanes(&a[i]), A::lanes(&a[K - i]), sums[i % 2]);
+pub(crate) fn square<L: Layout>(k: usize, a: &Vectors<L::Vector>) -> L::Scalar {
+    assert!(k <= ORDER);
+    let [mut even, mut odd] = [L::everywhere(L::same(0.0)); 2];
+    let mut i = 1;
+    while i + 1 < k.div_ceil(2) {
+        odd = L::mul_add_registers(L::registers(&a[i]), L::registers(&a[k - i]), odd);
+        even = L::mul_add_registers(L::registers(&a[i + 1]), L::registers(&a[k - i - 1]), even);
+        i += 2;
     }
-    let pairs = A::add_lanes(sums[0], sums[1]);
-    let mut sum = A::add_lanes(pairs, pairs);
-    if K >= 2 && K.is_multiple_of(2) {
-        sum = A::mul_add_lanes(A::lanes(&a[K / 2]), A::lanes(&a[K / 2]), sum);
+    if i < k.div_ceil(2) {
+        odd = L::mul_add_registers(L::registers(&a[i]), L::registers(&a[k - i]), odd);
     }
-    let first = A::lanes(&a[0]);
-    let first = if K == 0 { first } else { A::add_lanes(first, first) };
-    total(&A::array(A::mul_add_lanes(A::lanes(&a[K]), first, sum)))
+    let pairs = L::add_registers(even, odd);
+    let mut sum = L::add_registers(pairs, pairs);
+    if k >= 2 && k.is_multiple_of(2) {
+        sum = L::mul_add_registers(L::registers(&a[k / 2]), L::registers(&a[k / 2]), sum);
+    }
+    let first = L::registers(&a[0]);
+    let first = if k == 0 { first } else { L::add_registers(first, first) };
+    total::<L>(&L::kept(L::mul_add_registers(L::registers(&a[k]), first, sum)))
 }
 
 /// The sum over the three directions.
 #[inline(always)]
-pub(crate) fn total(vector: &Vector) -> f64 {
-    (vector[0] + vector[1]) + (vector[2] + vector[3])
+pub(crate) fn total<L: Layout>(vector: &L::Vector) -> L::Scalar {
+    let [x, y, z] = L::parts(vector);
+    (x + y) + z
 }

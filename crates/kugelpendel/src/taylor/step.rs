@@ -3,6 +3,7 @@
 use crate::numbers::arithmetic::{Arithmetic, Portable, dispatch};
 use crate::numbers::double_double::{Dd, Pair};
 use crate::taylor::events::{Beside, Beyond, Event, Guard, Outward, crossings};
+use crate::taylor::layout::Alone;
 use crate::taylor::series::{Point, Series};
 
 /// Everything that the motion from here on depends on: whoever keeps one can go on from it, with the same bits.
@@ -99,7 +100,7 @@ dispatch! {
 
 #[inline(always)]
 fn point_at_with<A: Arithmetic>(_: A, step: &Step, since: f64) -> Point {
-    step.series.at::<A>(since)
+    step.series.at::<Alone<A>>(since)
 }
 
 dispatch! {
@@ -108,7 +109,7 @@ dispatch! {
 
 #[inline(always)]
 fn guard_at_with<A: Arithmetic>(_: A, step: &Step, since: f64) -> f64 {
-    step.series.guard_at::<A>(since)
+    step.series.guard_at::<Alone<A>>(since)
 }
 
 dispatch! {
@@ -119,7 +120,7 @@ dispatch! {
 #[inline(always)]
 fn happens_with<A: Arithmetic>(_: A, step: &Step, event: Event) -> Vec<f64> {
     let Step { series, size, .. } = step;
-    let position = |time: f64| series.position_at::<Portable>(time);
+    let position = |time: f64| series.position_at::<Alone<Portable>>(time);
     match event {
         Event::Outer => crossings::<A>(&Outward(series), *size, false).times().to_vec(),
         Event::Inner => crossings::<A>(&Outward(series), *size, true).times().to_vec(),
@@ -148,7 +149,7 @@ fn happens_with<A: Arithmetic>(_: A, step: &Step, event: Event) -> Vec<f64> {
             times
         }
         Event::Slack if step.thread == ThreadChange::Slackens => vec![*size],
-        Event::Slack if !step.start.free && !series.guard_holds(*size) => {
+        Event::Slack if !step.start.free && !series.guard_holds::<A>(*size) => {
             crossings::<A>(&Guard(series), *size, false).times().to_vec()
         }
         Event::Taut if step.thread == ThreadChange::Tautens => vec![*size],

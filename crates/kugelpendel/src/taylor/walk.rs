@@ -1,9 +1,8 @@
-//! A motion, step by step, with everything that is asked about a stretch of time read off in one pass.
+//! A motion, step by step, and where its steps are kept so that it can be gone on from there.
 
-use crate::given::times::both_ways;
 use crate::numbers::double_double::Pair;
 use crate::taylor::events::Event;
-use crate::taylor::step::{Checkpoint, Ending, Step, dimensionless, happens};
+use crate::taylor::step::{Checkpoint, Ending, Step};
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -99,6 +98,7 @@ pub fn steps_taken() -> u64 {
 /// results do not depend on what was asked before.
 #[derive(Clone, Debug)]
 pub struct Walk {
+    /// None where nobody has gone yet, or where somebody is on the way.
     sides: [Option<Box<Side>>; 2],
     kept: usize,
 }
@@ -124,23 +124,26 @@ impl Walk {
         Self { sides: [None, None], kept: kept.max(2) }
     }
 
+    /// Takes the walk away, and leaves one that has not begun.
+    pub fn take(&mut self) -> Self {
+        Self { sides: std::mem::take(&mut self.sides), kept: self.kept }
+    }
+
     /// When and why the motion ends, forwards or backwards, where that is known already.
     pub fn ended(&self, forwards: bool) -> Option<(f64, Ending)> {
         self.sides[usize::from(!forwards)].as_ref()?.ended
     }
 
-    /// The side, at the step of the latest checkpoint that does not lie after a time.
-    fn seek(&mut self, motion: &impl Stepper, side: usize, time: Pair) -> Progress<'_> {
+    /// Takes a side out of the walk, at the step of the latest checkpoint that does not lie after a time.
+    pub(crate) fn seek(&mut self, motion: &impl Stepper, side: usize, time: Pair) -> Progress {
         let direction = [1.0, -1.0][side];
         let mut steps = 0;
-        let side = self.sides[side].get_or_insert_with(|| {
+        let mut side = self.sides[side].take().unwrap_or_else(|| {
             let launch = motion.launch();
-            let step = Step::before(launch);
-            let checkpoints = vec![launch];
             Box::new(Side {
                 direction,
-                step,
-                checkpoints,
+                step: Step::before(launch),
+                checkpoints: vec![launch],
                 stride: 1,
                 recent: VecDeque::new(),
                 ended: None,
@@ -163,19 +166,43 @@ impl Walk {
         }
         Progress { side, kept: self.kept, steps }
     }
+
+    /// Takes the side back, with all that it has come to know.
+    pub(crate) fn keep(&mut self, progress: Progress) {
+        STEPS.fetch_add(progress.steps, Ordering::Relaxed);
+        let side = usize::from(progress.side.direction < 0.0);
+        self.sides[side] = Some(progress.side);
+    }
 }
 
-/// A walk under way, which counts its steps.
-struct Progress<'a> {
-    side: &'a mut Side,
+/// A walk under way in one direction of time, which counts its steps; it is handed back by [`Walk::keep`].
+pub(crate) struct Progress {
+    side: Box<Side>,
     kept: usize,
     steps: u64,
 }
 
-impl Progress<'_> {
-    fn advance(&mut self, motion: &impl Stepper) {
-        let Side { direction, step, checkpoints, stride, .. } = &mut *self.side;
-        motion.advance(*direction, step);
+impl Progress {
+    pub(crate) fn direction(&self) -> f64 {
+        self.side.direction
+    }
+
+    pub(crate) fn step(&self) -> &Step {
+        &self.side.step
+    }
+
+    pub(crate) fn step_mut(&mut self) -> &mut Step {
+        &mut self.side.step
+    }
+
+    pub(crate) fn advance(&mut self, motion: &impl Stepper) {
+        motion.advance(self.side.direction, &mut self.side.step);
+        self.count_step();
+    }
+
+    /// Notes a step that has been taken.
+    pub(crate) fn count_step(&mut self) {
+        let Side { step, checkpoints, stride, .. } = &mut *self.side;
         self.steps += 1;
         let is_new = checkpoints.last().is_none_or(|last| last.count < step.start.count);
         if is_new && step.start.count.is_multiple_of(*stride) {
@@ -187,8 +214,9 @@ impl Progress<'_> {
         }
     }
 
-    /// The next step, or the one of a later checkpoint that does not lie after a time: what lies between is not asked for.
-    fn advance_towards(&mut self, motion: &impl Stepper, time: Pair) {
+    /// Goes to before a later checkpoint that does not lie after a time, if there is one: what lies between is not asked
+    /// for.
+    pub(crate) fn skip_towards(&mut self, time: Pair) {
         let Side { direction, step, checkpoints, .. } = &mut *self.side;
         let is_later = checkpoints.last().is_some_and(|last| last.count > step.next.count);
         if is_later {
@@ -197,14 +225,13 @@ impl Progress<'_> {
                 *step = Step::before(*best);
             }
         }
-        self.advance(motion);
     }
 
-    /// Keeps where a request begins, or where one was left.
-    fn remember(&mut self, start: Checkpoint) {
-        let Side { recent, .. } = &mut *self.side;
+    /// Keeps the start of the present step, where a request begins or where one was left.
+    pub(crate) fn remember(&mut self) {
+        let Side { step: Step { start, .. }, recent, .. } = &mut *self.side;
         if recent.iter().all(|checkpoint| checkpoint.count != start.count) {
-            recent.push_back(start);
+            recent.push_back(*start);
             if recent.len() > RECENT {
                 recent.pop_front();
             }
@@ -212,148 +239,16 @@ impl Progress<'_> {
     }
 
     /// When and why the motion ends, where it does so with this step.
-    fn end(&mut self, omega0: f64) -> Option<(f64, Ending)> {
+    pub(crate) fn end(&mut self, omega0: f64) -> Option<(f64, Ending)> {
         let Side { step, ended, .. } = &mut *self.side;
         let end = step.ending.map(|ending| (step.seconds(step.size, omega0), ending));
         *ended = ended.or(end);
         end
     }
-}
 
-impl Drop for Progress<'_> {
-    fn drop(&mut self) {
-        STEPS.fetch_add(self.steps, Ordering::Relaxed);
-    }
-}
-
-/// Reads what is asked, forwards and backwards.
-///
-/// # Errors
-/// What halted it; an end of the motion is none where only events are asked for.
-///
-/// # Panics
-/// If times and slices do not have the same count.
-pub(crate) fn read(
-    motion: &impl Stepper,
-    readings: &mut Readings<'_>,
-    walk: &mut Walk,
-    stop: Stop<'_>,
-) -> Result<(), Halt> {
-    let count = readings.times.len();
-    for (values, width) in [(&readings.position, 3), (&readings.velocity, 3), (&readings.tension, 1)] {
-        assert!(values.is_empty() || values.len() == width * count, "{width} numbers to a time");
-    }
-    readings.found = vec![Vec::new(); readings.events.len()];
-    both_ways(readings.times, |side, order| sweep(motion, side, order, readings, walk, stop))
-}
-
-fn sweep(
-    motion: &impl Stepper,
-    side: usize,
-    order: &mut dyn Iterator<Item = usize>,
-    readings: &mut Readings<'_>,
-    walk: &mut Walk,
-    stop: Stop<'_>,
-) -> Result<(), Halt> {
-    let (omega0, times) = (motion.omega0(), readings.times);
-    let mut order = order.peekable();
-    let mut looking = side == 0 && readings.most > 0;
-    let [from, to] = readings.between;
-    let first = match order.peek() {
-        Some(&index) if looking => times[index].min(from),
-        Some(&index) => times[index],
-        None if looking => from,
-        None => return Ok(()),
-    };
-    let direction = [1.0, -1.0][side];
-    let (from_time, to_time) = (dimensionless(from, omega0), dimensionless(to, omega0));
-    let mut progress = walk.seek(motion, side, dimensionless(first, omega0));
-    let mut is_first = true;
-    loop {
-        let step = &progress.side.step;
-        let mut touched = false;
-        while let Some(&index) = order.peek() {
-            let since = step.start.since(dimensionless(times[index], omega0));
-            if step.is_before(since, direction) {
-                break;
-            }
-            write(motion, step, since, index, readings);
-            order.next();
-            touched = true;
-        }
-        let covers = |time: Pair| !step.is_before(step.start.since(time), direction);
-        // What ends before the start is passed over without a look.
-        if looking && (covers(from_time) || step.ending.is_some()) {
-            look(motion, step, [from, to], readings);
-            touched = true;
-            let found: usize = readings.found.iter().map(Vec::len).sum();
-            looking = found < readings.most && !covers(to_time);
-        }
-        let done = order.peek().is_none() && !looking;
-        if touched && std::mem::take(&mut is_first) {
-            progress.remember(progress.side.step.start);
-        }
-        match progress.end(omega0.hi) {
-            Some((time, ending)) if !done && order.peek().is_some() => {
-                readings.until = time;
-                return Err(Halt::Ended(time, ending));
-            }
-            end if done || end.is_some() => {
-                readings.until = end.map_or(to, |(time, _)| time.min(to));
-                return Ok(());
-            }
-            _ => {}
-        }
-        let read = progress.side.step.start;
-        match order.peek() {
-            Some(&index) if !looking => progress.advance_towards(motion, dimensionless(times[index], omega0)),
-            _ => progress.advance(motion),
-        }
-        if progress.steps.is_multiple_of(PATIENCE) && stop() {
-            // Whoever goes on from here begins within the last step that is read.
-            progress.remember(read);
-            // What is read lies before the step that is not, however its start is rounded.
-            if side == 0 {
-                readings.until = progress.side.step.seconds(0.0, omega0.hi).next_down();
-                for found in &mut readings.found {
-                    found.retain(|passage| passage.time <= readings.until);
-                }
-            }
-            return Err(Halt::Interrupted);
-        }
-    }
-}
-
-fn write(motion: &impl Stepper, step: &Step, since: f64, index: usize, readings: &mut Readings<'_>) {
-    let triple = 3 * index..3 * index + 3;
-    if !readings.position.is_empty() || !readings.velocity.is_empty() {
-        let StateVector { position, velocity } = motion.state(step, since);
-        if let Some(out) = readings.position.get_mut(triple.clone()) {
-            out.copy_from_slice(&position);
-        }
-        if let Some(out) = readings.velocity.get_mut(triple) {
-            out.copy_from_slice(&velocity);
-        }
-    }
-    if let Some(out) = readings.tension.get_mut(index) {
-        *out = motion.pull(step, since);
-    }
-}
-
-fn look(motion: &impl Stepper, step: &Step, [from, to]: [f64; 2], readings: &mut Readings<'_>) {
-    let omega0 = motion.omega0().hi;
-    for (event, found) in readings.events.iter().zip(&mut readings.found) {
-        let event = match *event {
-            Event::Radius(radius) => Event::Radius(radius / motion.length()),
-            other => other,
-        };
-        for since in happens(step, event) {
-            let time = step.seconds(since, omega0);
-            if (from..=to).contains(&time) && found.len() < readings.most {
-                let (state, tension) = (motion.state(step, since), motion.pull(step, since));
-                found.push(Passage { time, state, tension });
-            }
-        }
+    /// Whether it is time to ask whether to go on.
+    pub(crate) fn may_stop(&self) -> bool {
+        self.steps > 0 && self.steps.is_multiple_of(PATIENCE)
     }
 }
 
@@ -373,15 +268,17 @@ pub(crate) fn find_end(
     }
     let omega0 = motion.omega0().hi;
     let mut progress = walk.seek(motion, usize::from(!forwards), Pair { hi: 0.0, lo: 0.0 });
-    loop {
+    let found = loop {
         let end = progress.end(omega0);
-        if end.is_some() || progress.side.searched || enough(&progress.side.step) {
+        if end.is_some() || progress.side.searched || enough(progress.step()) {
             progress.side.searched = true;
-            return Ok(end);
+            break Ok(end);
         }
         progress.advance(motion);
-        if progress.steps.is_multiple_of(PATIENCE) && stop() {
-            return Err(Halt::Interrupted);
+        if progress.may_stop() && stop() {
+            break Err(Halt::Interrupted);
         }
-    }
+    };
+    walk.keep(progress);
+    found
 }
