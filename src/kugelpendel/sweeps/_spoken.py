@@ -98,8 +98,8 @@ _GERMAN = {
     "precession": "Präzession",
     "period": "Periode",
     "azimuth": "Azimut",
-    "a": "a",
-    "b": "b",
+    "a": "Amplitude a",
+    "b": "halbe Breite b",
     "mean_rate": "mittlere Rate",
     "largest_b": "größtes |b|",
     "quarter_turn": "Vierteldrehung",
@@ -116,7 +116,13 @@ _GERMAN = {
     "averaging_error": "Fehler der Mittelung",
 }
 
-_ENGLISH = {"error_25": "error of (25)", "error_26": "error of (26)", "largest_b": "largest |b|"}
+_ENGLISH = {
+    "a": "amplitude a",
+    "b": "half-width b",
+    "largest_b": "largest |b|",
+    "error_25": "error of (25)",
+    "error_26": "error of (26)",
+}
 """Where it is not the name with blanks."""
 
 _LADDERS = ("m", "m/s", "s", "rad", "kg", "N")
