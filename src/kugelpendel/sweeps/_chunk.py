@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +28,9 @@ from kugelpendel.sweeps.cases import (
     tried_core_seconds,
     usual_chunk,
 )
+
+if TYPE_CHECKING:
+    from kugelpendel.errors import Door, Language
 
 _PIECE = 1 << 17
 """Cases whose motions are in memory at once."""
@@ -82,18 +85,30 @@ def chunk_for(sweep: Sweep) -> int:
     )
 
 
-def why(sweep: Sweep, index: int) -> str:
-    """The sentence of a bad case, made again from its index; "" where it is good."""
+def why(sweep: Sweep, index: int, language: Language = "en", door: Door = "python") -> str:
+    """The sentence of a bad case, made again from its index; "" where it is good.
+
+    Parameters
+    ----------
+    sweep
+        What the case belongs to.
+    index
+        Of the case.
+    language
+        "en" or "de".
+    door
+        "python" for who calls functions, "file" for who writes job files.
+    """
     motion = motions(sweep.motion, sweep.tables(index, index + 1))
-    if said := str(motion.reason[0]):
-        return said
+    if motion.problems:
+        return motion.problems.error(0).sentence(language, door)
     if sweep.motion == "exact" or not sweep.times:
         return ""
     try:
         # A motion of its own says when and why it ends, where an ensemble has NaN.
         motion[0].position(sweep.times[-1])
     except MotionEnded as ended:
-        return str(ended)
+        return ended.sentence(language, door)
     return ""
 
 

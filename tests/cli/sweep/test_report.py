@@ -137,3 +137,23 @@ def test_figures_of_a_grid(levels: int, tmp_path: Path) -> None:
     axes = drawn["azimuth"].axes[0]
     assert axes.get_xlabel() == "amplitude a, cm"
     assert (axes.get_ylabel() == "azimuth, °") == (levels == 1)
+
+
+def test_a_german_report_is_german_to_the_last_word(tmp_path: Path) -> None:
+    spec = Sweep(
+        given(pendulum={"length": Listed((20.0, -3.0))}), "grid", "averaged", ["azimuth"], [HOUR]
+    )
+    said = " ".join(report(spec, sweep(spec, tmp_path), "de").split())
+    assert "Fall 1 (Länge = −3 m): Die Länge des Pendels muss" in said
+    english = {"case", "cases", "good", "refused", "result", "length", "must", "after", "over"}
+    assert english.isdisjoint(said.lower().replace(",", " ").split())
+
+
+def test_a_german_figure_is_german(tmp_path: Path) -> None:
+    spec = Sweep(
+        given(suspension={"anisotropy": Spaced(1e-6, 1e-3, 4, log=True), "axis": 0.7}),
+        "grid", "averaged", ["azimuth"], [HOUR],
+    )  # fmt: skip
+    figure = figures(spec, sweep(spec, tmp_path), "de")["azimuth"]
+    assert "Ungleichheit der Klemme δ" in figure.axes[0].get_xlabel()
+    assert "Azimut" in figure.axes[0].get_ylabel()

@@ -40,7 +40,7 @@ def as_json(sweep: Sweep, dataset: Dataset) -> str:
 
 def _bad(sweep: Sweep, index: int) -> dict[str, Any]:
     given = {name: float(value[0]) for name, value in sweep.values(index, index + 1).items()}
-    return {"case": index, "given": given, "why": why(sweep, index)}
+    return {"case": index, "given": given, "why": why(sweep, index, door="file")}
 
 
 def _results(sweep: Sweep, dataset: Dataset) -> list[dict[str, Any]]:

@@ -135,7 +135,7 @@ def _bad(sweep: Sweep, indices: list[int], language: Language) -> Iterator[str]:
             f"{called(name, language)} = {_said(float(value[0]), sweep.unit(name), language)}"
             for name, value in varied.items()
         )
-        said = why(sweep, index)
+        said = why(sweep, index, language, "file")
         yield PHRASES[language]["case"].format(index=grouped(index), given=given, why=said)
 
 
