@@ -15,7 +15,11 @@ def run() -> NoReturn:
         from kugelpendel.cli import main
 
         code = main()
-    except KeyboardInterrupt:  # before there was a command that could have said it
+    except (KeyboardInterrupt, RuntimeError) as error:
+        # Before there was a command that could have said it. That of an import may be the cause of
+        # a RuntimeError: cli/terminal/interrupted.py, which may not be there yet, says why.
+        if isinstance(error, RuntimeError) and not isinstance(error.__cause__, KeyboardInterrupt):
+            raise
         print("kugelpendel: interrupted; no file is left half-written.", file=sys.stderr)
         code = _INTERRUPTED
     if code == _INTERRUPTED:

@@ -12,6 +12,8 @@ from typing import IO
 
 import pytest
 
+from kugelpendel.cli import main
+
 JOB = """
 [pendulum]
 length = "1 m"
@@ -160,3 +162,20 @@ def interrupted_once(command: list[str], delay: float, folder: Path) -> tuple[st
 def waiting(stream: IO[bytes], patience: float) -> bool:
     """Whether there is something to read within so many seconds."""
     return bool(select.select([stream], [], [], patience)[0])
+
+
+def test_an_interruption_that_python_wraps_is_one(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def wrapped(*_: object) -> None:
+        raise RuntimeError("Error calling __set_name__") from KeyboardInterrupt()
+
+    def broken(*_: object) -> None:
+        raise RuntimeError("something else") from ValueError()
+
+    monkeypatch.setattr("kugelpendel.cli.compare.command.compare", wrapped)
+    assert main(["compare", "job.toml"]) == 130
+    assert capsys.readouterr().err == "kugelpendel: interrupted; no file is left half-written.\n"
+    monkeypatch.setattr("kugelpendel.cli.compare.command.compare", broken)
+    with pytest.raises(RuntimeError, match="something else"):
+        main(["compare", "job.toml"])

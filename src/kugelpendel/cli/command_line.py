@@ -18,7 +18,7 @@ from kugelpendel.cli.run import arguments as run
 from kugelpendel.cli.sweep import arguments as sweep
 from kugelpendel.cli.synth import arguments as synth
 from kugelpendel.cli.terminal import streams
-from kugelpendel.cli.terminal.interrupted import NOTHING_LEFT
+from kugelpendel.cli.terminal.interrupted import NOTHING_LEFT, is_interruption
 from kugelpendel.cli.validity import arguments as validity
 
 if TYPE_CHECKING:
@@ -82,8 +82,11 @@ def _done(options: argparse.Namespace) -> int:
         return _refuse(_not_installed(error, options))
     except KugelpendelError as error:
         return _refuse(error.sentence(_language(options), door="file"))
-    except KeyboardInterrupt as interruption:
-        streams.complain(str(interruption) or NOTHING_LEFT[_language(options)])
+    except (KeyboardInterrupt, RuntimeError) as error:
+        if not is_interruption(error):
+            raise
+        said = str(error) if isinstance(error, KeyboardInterrupt) else ""
+        streams.complain(said or NOTHING_LEFT[_language(options)])
         return _INTERRUPTED
 
 
