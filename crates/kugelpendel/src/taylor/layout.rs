@@ -46,7 +46,8 @@ impl<A: Arithmetic, const WRITTEN_OUT: bool> Layout for Alone<A, WRITTEN_OUT> {
     type Scalar = f64;
     type Vector = Vector;
     type Registers = A::Lanes;
-    const WRITTEN_OUT: bool = WRITTEN_OUT;
+    // A page has to be loaded before it computes: there the code is kept small.
+    const WRITTEN_OUT: bool = WRITTEN_OUT && !cfg!(target_arch = "wasm32");
 
     #[inline(always)]
     fn same(value: f64) -> f64 {
