@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import os
-import shutil
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -123,15 +123,11 @@ def processor_time(
     )
 
 
-class folder:  # noqa: N801 (it is used like a function)
-    """A folder that goes again."""
-
-    def __enter__(self) -> Path:
-        self._path = Path(tempfile.mkdtemp())
-        return self._path
-
-    def __exit__(self, *_: object) -> None:
-        shutil.rmtree(self._path)
+@contextmanager
+def folder() -> Iterator[Path]:
+    """Lend a folder that goes again."""
+    with tempfile.TemporaryDirectory() as path:
+        yield Path(path)
 
 
 # Not ru_maxrss: Linux hands that of the process that started this one on to it.

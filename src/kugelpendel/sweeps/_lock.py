@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Generator
 from contextlib import contextmanager
 from pathlib import Path
 
 from kugelpendel.errors import InvalidInput
+from kugelpendel.locks import hold
 
 _LOCK = ".sweep.lock"
 
@@ -20,7 +20,7 @@ def locked(folder: Path) -> Generator[None]:
     path = folder / _LOCK
     while True:
         lock = os.open(path, os.O_CREAT | os.O_RDWR)
-        if not _hold(lock):
+        if not hold(lock):
             os.close(lock)
             raise InvalidInput.of("sweep_locked", folder=str(folder))
         try:
@@ -34,28 +34,3 @@ def locked(folder: Path) -> Generator[None]:
     finally:
         path.unlink(missing_ok=True)
         os.close(lock)
-
-
-if sys.platform == "win32":
-
-    def _hold(lock: int) -> bool:
-        """Lock an open file, unless a living process has done so."""
-        import msvcrt
-
-        try:
-            msvcrt.locking(lock, msvcrt.LK_NBLCK, 1)
-        except OSError:
-            return False
-        return True
-
-else:
-
-    def _hold(lock: int) -> bool:
-        """Lock an open file, unless a living process has done so."""
-        import fcntl
-
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            return False
-        return True

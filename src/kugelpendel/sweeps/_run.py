@@ -10,7 +10,7 @@ import numpy as np
 
 from kugelpendel.parameters import require_type, wrong_type
 from kugelpendel.sweeps._chunk import Done, chunk_for, do_chunk
-from kugelpendel.sweeps._store import REFUSED, SweepStore, kept_store, writing
+from kugelpendel.sweeps._store import GOOD, REFUSED, SweepStore, kept_store, writing
 from kugelpendel.sweeps.cases import Sweep
 
 if TYPE_CHECKING:
@@ -92,12 +92,11 @@ def progressed(
 
     Raises KugelpendelError as `sweep` does.
     """
-    mask = store.done()
-    missing = np.flatnonzero(~mask).tolist()
+    missing = np.flatnonzero(~store.done()).tolist()
     if not missing:
         return
-    counts = np.asarray(store.array("counts")[:])[mask].sum(axis=0) if mask.any() else np.zeros(4)
-    done, bad = int(counts.sum()), int(counts[REFUSED:].sum())
+    counts = store.counts()
+    done, bad = int(counts[GOOD:].sum()), int(counts[REFUSED:].sum())
     if progress is not None:
         progress(done, store.sweep.size, bad)
     path = str(store.path)

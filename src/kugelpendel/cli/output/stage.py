@@ -17,12 +17,12 @@ import os
 import re
 import secrets
 import shutil
-import sys
 from contextlib import suppress
 from filecmp import cmp
 from typing import TYPE_CHECKING, Literal
 
 from kugelpendel.cli.output import manifest
+from kugelpendel.locks import hold
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -58,7 +58,7 @@ class Stage:
                 self._lock = os.open(self.folder / _LOCK, os.O_CREAT | os.O_RDWR)
             except FileNotFoundError:  # another run took the empty folder for a dead one's
                 continue
-            if _hold(self._lock) and (self.folder / _LOCK).exists():
+            if hold(self._lock) and (self.folder / _LOCK).exists():
                 break
             os.close(self._lock)
         self.new, self.old = self.folder / "new", self.folder / "old"
@@ -123,7 +123,7 @@ def _remove_dead(stage: Path, folder: Path) -> None:
     except OSError:  # it belongs to somebody else
         return
     try:
-        if not _hold(lock):
+        if not hold(lock):
             return
         if (stage / _JOURNAL).exists():
             _settle(stage)
@@ -178,28 +178,3 @@ def _link(source: Path, target: Path) -> None:
         target.hardlink_to(source)
     except OSError:
         shutil.copy2(source, target)
-
-
-if sys.platform == "win32":
-
-    def _hold(lock: int) -> bool:
-        """Lock an open file, unless a living run has done so."""
-        import msvcrt
-
-        try:
-            msvcrt.locking(lock, msvcrt.LK_NBLCK, 1)
-        except OSError:
-            return False
-        return True
-
-else:
-
-    def _hold(lock: int) -> bool:
-        """Lock an open file, unless a living run has done so."""
-        import fcntl
-
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            return False
-        return True

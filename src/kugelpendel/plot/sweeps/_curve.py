@@ -12,9 +12,9 @@ import numpy as np
 from kugelpendel.parameters import InvalidInput
 from kugelpendel.plot import _ink
 from kugelpendel.plot.sweeps._labels import with_unit
-from kugelpendel.plot.sweeps._plane import at_time, side_of
+from kugelpendel.plot.sweeps._plane import at_time, side_of, time_of, unit_in
 from kugelpendel.plot.tracks._page import localise
-from kugelpendel.sweeps._spoken import called, called_after, unit_of
+from kugelpendel.sweeps._spoken import called, called_after
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -42,11 +42,9 @@ def curve(
             f"{', '.join(wide) or 'none'}."
         )
     values = np.asarray(data.values, np.float64).ravel()
-    finite = values[np.isfinite(values)]
-    si = str(dataset[name].attrs.get("units", "1"))
-    unit = unit_of(name, float(np.abs(finite).max(initial=0.0)), si)
+    unit = unit_in(dataset, name, values[np.isfinite(values)])
     side = side_of(dataset, wide[0], language)
-    when = None if "time" not in dataset[name].dims else float(data["time"])
+    usual = called_after(name, time_of(dataset, name, time), language)
     with mpl.rc_context(_ink.STYLE):
         figure = _ink.blank(8.0, 5.0)
         axes = figure.subplots()
@@ -58,5 +56,5 @@ def curve(
         axes.set_ylabel(with_unit(called(name, language), unit.symbol))
         localise(axes, language)
         axes.grid(alpha=0.25)
-        _ink.entitle(figure, title or called_after(name, when, language), 70)
+        _ink.entitle(figure, title or usual, 70)
         return figure

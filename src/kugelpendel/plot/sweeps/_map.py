@@ -13,9 +13,9 @@ from matplotlib.ticker import LogLocator, MaxNLocator
 
 from kugelpendel.plot import _ink
 from kugelpendel.plot.sweeps._labels import with_unit
-from kugelpendel.plot.sweeps._plane import Panel, Plane, hatched, meshed, plane
+from kugelpendel.plot.sweeps._plane import Panel, Plane, hatched, meshed, plane, time_of, unit_in
 from kugelpendel.spelling import general
-from kugelpendel.sweeps._spoken import called, called_after, unit_of
+from kugelpendel.sweeps._spoken import called, called_after
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -67,13 +67,11 @@ def values_map(
         For what is no grid over two numbers.
     """
     with mpl.rc_context({**_ink.STYLE, "hatch.linewidth": 0.5}):
-        usual = called_after(name, _time(dataset, name, time), language)
+        usual = called_after(name, time_of(dataset, name, time), language)
         drawn = plane(dataset, name, time, title or usual, language)
         shown = np.concatenate([panel.values.ravel() for panel in drawn.panels])
         shown = shown[np.isfinite(shown)]
-        unit = unit_of(
-            name, float(np.abs(shown).max(initial=0.0)), str(dataset[name].attrs.get("units", "1"))
-        )
+        unit = unit_in(dataset, name, shown)
         norm = _norm(shown / unit.size)
         mesh: Any = None
         for panel in drawn.panels:
@@ -118,9 +116,3 @@ def _levels(norm: Normalize) -> NDArray[np.float64]:
     locator = LogLocator(numticks=_CONTOURS) if isinstance(norm, LogNorm) else None
     levels = np.asarray((locator or MaxNLocator(_CONTOURS)).tick_values(low, high))
     return levels[(levels > low) & (levels < high)]
-
-
-def _time(dataset: Dataset, name: str, time: float | None) -> float | None:
-    if "time" not in dataset[name].dims:
-        return None
-    return float(dataset["time"].values[-1]) if time is None else time

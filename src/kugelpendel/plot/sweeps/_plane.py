@@ -16,7 +16,7 @@ from kugelpendel.parameters import InvalidInput
 from kugelpendel.plot import _ink
 from kugelpendel.plot.sweeps._labels import label, with_unit
 from kugelpendel.plot.tracks._page import localise
-from kugelpendel.spelling import general
+from kugelpendel.spelling import Unit, general
 from kugelpendel.sweeps._spoken import called, unit_of
 
 if TYPE_CHECKING:
@@ -132,10 +132,21 @@ def plane(dataset: Dataset, name: str, time: float | None, title: str, language:
 
 def at_time(dataset: Dataset, name: str, time: float | None) -> DataArray:
     """A quantity at one of its times, the last unless one is given."""
-    data = dataset[name]
-    if "time" not in data.dims:
-        return data
-    return data.isel(time=-1) if time is None else data.sel(time=time)
+    moment = time_of(dataset, name, time)
+    return dataset[name] if moment is None else dataset[name].sel(time=moment)
+
+
+def time_of(dataset: Dataset, name: str, time: float | None) -> float | None:
+    """The time in s at which a quantity is drawn, the last unless one is given; None for none."""
+    if "time" not in dataset[name].dims:
+        return None
+    return float(dataset["time"].values[-1]) if time is None else time
+
+
+def unit_in(dataset: Dataset, name: str, values: NDArray[np.float64]) -> Unit:
+    """The unit in which values of a quantity or of what varies are said; they are finite."""
+    si = str(dataset[name].attrs.get("units", "1"))
+    return unit_of(name, float(np.abs(values).max(initial=0.0)), si)
 
 
 def hatched(axes: Axes) -> None:
@@ -154,7 +165,7 @@ def _rows(data: Any, order: tuple[str, str], place: dict[str, int]) -> NDArray[n
 def side_of(dataset: Dataset, dim: str, language: Language) -> Side:
     """What varies along a dimension, in the unit in which it is said."""
     values = np.asarray(dataset[dim].values, np.float64)
-    unit = unit_of(dim, float(np.abs(values).max()), str(dataset[dim].attrs.get("units", "1")))
+    unit = unit_in(dataset, dim, values)
     return Side(with_unit(called(dim, language), unit.symbol), values / unit.size, _is_log(values))
 
 
@@ -166,10 +177,10 @@ def _is_log(values: NDArray[np.float64]) -> bool:
 
 
 def _said(dataset: Dataset, dim: str, level: int, language: Language) -> str:
-    value = float(dataset[dim].values[level])
-    si = str(dataset[dim].attrs.get("units", "1"))
+    values = np.asarray(dataset[dim].values, np.float64)
+    value = float(values[level])
     # Zero is said in the unit of the others.
-    unit = unit_of(dim, abs(value) or float(np.abs(dataset[dim].values).max()), si)
+    unit = unit_in(dataset, dim, values if value == 0 else values[[level]])
     gap = "" if unit.symbol in ("", "°") else " "
     number = general(value / unit.size, 4, language=language)
     return f"{called(dim, language)} = {number}{gap}{unit.symbol}"
