@@ -65,6 +65,25 @@ def test_killed_workers_are_replaced(client: Any, tmp_path: Path, same: Same) ->
     same(tmp_path / "here", tmp_path / "there")
 
 
+def test_a_worker_that_dies_when_it_is_asked(
+    client: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, same: Same
+) -> None:
+    kp.sweep(averaged(), tmp_path / "here")
+    monkeypatch.setattr(_cluster, "prepared", _dies_once)
+    kp.sweep(averaged(), tmp_path / "there", client)
+    (tmp_path / "there" / "dead").unlink()
+    same(tmp_path / "here", tmp_path / "there")
+
+
+def _dies_once(path: str, digest: str) -> bool:
+    try:
+        (Path(path).parent / "dead").touch(exist_ok=False)
+    except FileExistsError:
+        return True
+    os.kill(os.getpid(), signal.SIGKILL)
+    return False
+
+
 def _living(client: Any) -> list[int]:
     """Processes of the workers, without asking those that may have died."""
     return [nanny.pid for nanny in client.cluster.workers.values() if nanny.pid is not None]
@@ -84,6 +103,17 @@ def test_an_error_of_a_chunk_comes_back(
 
 def _breaks(path: str, chunk: int) -> None:
     raise OSError(28, os.strerror(28))
+
+
+def test_a_connection_that_breaks_is_no_full_disk(
+    client: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def broken(*_: object, **__: object) -> None:
+        raise ConnectionResetError("Stream is closed")
+
+    monkeypatch.setattr(type(client), "get_versions", broken)
+    with pytest.raises(KugelpendelError, match=r"^The Dask scheduler at .* has vanished\."):
+        kp.sweep(averaged(), tmp_path, client)
 
 
 def test_other_versions_are_refused(

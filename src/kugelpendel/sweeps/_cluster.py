@@ -101,7 +101,12 @@ def done_by(client: Any, store: SweepStore, missing: list[int]) -> Iterator[Done
         The workers are of other versions, have several threads or do not see the store; the
         scheduler or all workers vanish; a chunk kills its workers; the disk is full.
     """
-    count = _checked_workers(client, store)
+    try:
+        count = _checked_workers(client, store)
+    except OSError as error:  # of the connection: workers that die are left out
+        raise KugelpendelError.of(
+            "sweep_scheduler_lost", address=_address(client), folder=str(store.path.parent)
+        ) from error
     arrived: queue.SimpleQueue[Any] = queue.SimpleQueue()
     waiting = iter(missing)
     flying: set[Any] = set()
@@ -155,7 +160,8 @@ def _checked_workers(client: Any, store: SweepStore) -> int:
                     "sweep_versions", package=name, ours=str(ours.get(name)), theirs=str(theirs)
                 )
     digest = store.sweep.digest
-    if not all(client.run(prepared, str(store.path), digest).values()):
+    # A worker that dies while it is asked is replaced, or its chunks go to the others.
+    if not all(client.run(prepared, str(store.path), digest, on_error="ignore").values()):
         raise KugelpendelError.of("sweep_not_shared", folder=str(store.path.parent))
     return len(workers)
 

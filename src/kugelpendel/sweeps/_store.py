@@ -14,7 +14,7 @@ import os
 import secrets
 import shutil
 from collections.abc import Callable, Generator, Mapping
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from functools import cached_property, lru_cache
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
@@ -172,18 +172,21 @@ def kept_store(folder: Path, sweep: Sweep, chunk: Callable[[], int]) -> Generato
     """
     require_extra("sweep", "kugelpendel.sweep", "scipy", "xarray", "zarr")
     path = folder / NAME
-    with writing(folder), locked(folder):
-        for left in folder.glob(f".{NAME}-*"):
-            shutil.rmtree(left, ignore_errors=True)
-        if path.exists():
-            store = _continued(path, sweep)
-        else:
-            _refuse_without_room(folder, sweep)
-            _create(path, sweep, chunk())
-            store = SweepStore(path)
-        store.clean()
+    with ExitStack() as held:
+        with writing(folder):
+            held.enter_context(locked(folder))
+            for left in folder.glob(f".{NAME}-*"):
+                shutil.rmtree(left, ignore_errors=True)
+            if path.exists():
+                store = _continued(path, sweep)
+            else:
+                _refuse_without_room(folder, sweep)
+                _create(path, sweep, chunk())
+                store = SweepStore(path)
+            store.clean()
         yield store
-        store.clean()
+        with writing(folder):
+            store.clean()
 
 
 @contextmanager
