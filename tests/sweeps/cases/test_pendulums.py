@@ -13,6 +13,7 @@ from kugelpendel.cli.job_file.job import read_job
 from kugelpendel.cli.job_file.kinds import Kind
 from kugelpendel.cli.job_file.sweep_schema import SWEEP_FILE
 from kugelpendel.cli.sweep.sweep_file import _given
+from kugelpendel.errors import InvalidInput
 from kugelpendel.parameters import Launch
 from kugelpendel.sweeps import UNITS, assembled
 from kugelpendel.sweeps.cases import motions
@@ -95,3 +96,13 @@ def test_an_ensemble_is_its_motions(word: str) -> None:
     alone = motions(word, {**tables, "pendulum": {"length": np.array([2.0])},
                            "launch": {"kind": "ellipse", "a": 0.1, "b": 0.02}})  # fmt: skip
     assert np.array_equal(alone.position([5.0])[0], motion.position([5.0])[1])
+
+
+def test_drag_of_a_bob_needs_one() -> None:
+    tables: dict[str, Any] = {
+        "pendulum": {"length": 1.0},
+        "launch": {"kind": "ellipse", "a": 0.1, "b": 0.01},
+        "drag": {"from_bob": True},
+    }
+    with pytest.raises(InvalidInput, match=r"^\[drag\] from_bob needs a bob with radius and dens"):
+        assembled(tables)
