@@ -25,7 +25,7 @@ use num_complex::Complex64;
 use std::f64::consts::PI;
 
 /// How many shares the plane's rate has; see [`AveragedEquations::shares`].
-pub(super) const CAUSES: usize = 5;
+pub(crate) const CAUSES: usize = 5;
 
 /// Rates of A± in units of the directions they point to: the real parts are those of their sizes.
 type Changes = [Complex64; 2];

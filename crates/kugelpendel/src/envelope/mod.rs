@@ -27,6 +27,7 @@ use crate::taylor::step::Ending;
 use crate::taylor::walk::{Halt, Stop};
 use circles::Circles;
 use equations::AveragedEquations;
+pub(crate) use equations::CAUSES;
 use num_complex::Complex64;
 use start::mean;
 use stepper::{AveragedStepper, Moment};
@@ -348,7 +349,7 @@ impl EnvelopeMotion {
                     *out = share * self.omega0;
                 }
                 let rates = swing.radii_rates(self.equations.growth(&circles, swing));
-                out[equations::CAUSES..].copy_from_slice(&rates.map(|rate| rate * self.omega0 * length));
+                out[CAUSES..].copy_from_slice(&rates.map(|rate| rate * self.omega0 * length));
             }
             Envelope::Point(quantity) => {
                 let point = self.point(quantity, [azimuth, phase], &circles, swing);

@@ -1,6 +1,6 @@
 //! What the plane of an averaged motion does in a stretch of time: a few numbers, from readings at evenly spread times.
 
-use crate::envelope::{Envelope, EnvelopeMotion, EnvelopeWalks};
+use crate::envelope::{CAUSES, Envelope, EnvelopeMotion, EnvelopeWalks};
 use crate::meaning::apsides::stands_since;
 use crate::numbers::roots::Bracket;
 use crate::plane::portrait::{Orbit, Portrait};
@@ -75,7 +75,7 @@ pub fn pace(motion: &EnvelopeMotion, between: [f64; 2], stop: Stop<'_>) -> Resul
     let read = |times: &[f64], sign: f64| {
         let mut rates = vec![f64::NAN; Envelope::Rates.width() * times.len()];
         motion.fill(Envelope::Rates, times, &mut rates, &mut EnvelopeWalks::default(), stop)?;
-        let totals = rates.chunks_exact(Envelope::Rates.width()).map(|row| row[..5].iter().sum::<f64>());
+        let totals = rates.chunks_exact(Envelope::Rates.width()).map(|row| row[..CAUSES].iter().sum::<f64>());
         Ok(totals.map(|rate| sign * rate).collect::<Vec<_>>())
     };
     let times = spread(motion, between, stop)?;
@@ -150,7 +150,7 @@ fn quarter_turn(motion: &EnvelopeMotion, times: &[f64], azimuths: &[f64], stop: 
 #[cfg(test)]
 mod tests {
     use super::{course, pace};
-    use crate::envelope::{Envelope, EnvelopeMotion, EnvelopeWalks};
+    use crate::envelope::{CAUSES, Envelope, EnvelopeMotion, EnvelopeWalks};
     use crate::given::drive::Drive;
     use crate::given::forces::Forces;
     use crate::given::launch::Launch;
@@ -180,7 +180,7 @@ mod tests {
             let widest = axes.chunks(2).map(|row| row[1].abs()).fold(0.0, f64::max);
             assert!((found.widest / widest - 1.0).abs() < 1e-4, "{found:?} for {widest}");
             let way = -turn.signum();
-            let along = rates.chunks(7).map(|row| way * row[..5].iter().sum::<f64>());
+            let along = rates.chunks(7).map(|row| way * row[..CAUSES].iter().sum::<f64>());
             let [least, most] = [along.clone().fold(f64::INFINITY, f64::min), along.fold(f64::NEG_INFINITY, f64::max)];
             let close = 1e-3 * (most - least);
             assert!((way * slowest - least).abs() < close, "{slowest} for {least}");
