@@ -5,7 +5,7 @@
 use crate::numbers::arithmetic::Arithmetic;
 use crate::taylor::layout::{Alone, Layout};
 use crate::taylor::series::{
-    Coefficients, ORDER, Point, RECIPROCALS, Series, VectorField, dot, inner_terms, product, square, total,
+    Coefficients, Point, RECIPROCALS, Series, VectorField, dot, inner_square, inner_terms, product, square, total,
 };
 
 /// Which of the paper's two equations of motion is integrated.
@@ -40,6 +40,7 @@ impl Equation {
 }
 
 /// What Λ is made of.
+#[derive(Default)]
 pub(crate) struct PlanTerms {
     /// r·ṙ/depth.
     ratio: Coefficients,
@@ -48,11 +49,6 @@ pub(crate) struct PlanTerms {
 
 impl<A: Arithmetic> VectorField<Alone<A>> for Equation {
     type Terms = PlanTerms;
-
-    #[inline(always)]
-    fn terms() -> PlanTerms {
-        PlanTerms { ratio: [0.0; ORDER + 1], pull: [0.0; ORDER + 1] }
-    }
 
     /// The guard is the depth below the support or, for (13), its square: the depth itself goes through zero, its square
     /// does not, so where there is the depth, it shows the end.
@@ -75,12 +71,12 @@ impl<A: Arithmetic> VectorField<Alone<A>> for Equation {
                     guard[0] = depth_squared.sqrt();
                     ratio[0] = outward / guard[0];
                 } else {
-                    guard[k] = (depth_squared - inner_terms::<Alone<A>>(k, guard, guard)) / (2.0 * guard[0]);
+                    guard[k] = (depth_squared - inner_square::<Alone<A>>(k, guard)) / (2.0 * guard[0]);
                     let known = inner_terms::<Alone<A>>(k, guard, ratio) + guard[k] * ratio[0];
                     ratio[k] = (outward - known) / guard[0];
                 }
                 let ends = if k == 0 { ratio[0] * ratio[0] } else { 2.0 * ratio[0] * ratio[k] };
-                inner_terms::<Alone<A>>(k, ratio, ratio) + ends + speed_squared + guard[k]
+                inner_square::<Alone<A>>(k, ratio) + ends + speed_squared + guard[k]
             }
         };
         let turned = product::<Alone<A>>(k, pull, position);

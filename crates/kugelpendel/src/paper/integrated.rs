@@ -5,7 +5,7 @@ use crate::given::launch::Launch;
 use crate::given::pendulum::Pendulum;
 use crate::numbers::arithmetic::{Arithmetic, dispatch};
 use crate::numbers::double_double::Pair;
-use crate::paper::equations::Equation;
+use crate::paper::equations::{Equation, PlanTerms};
 use crate::real::motion::launch_point;
 use crate::taylor::events::{Guard, first};
 use crate::taylor::layout::Alone;
@@ -105,7 +105,7 @@ fn advance_with<A: Arithmetic>(_: A, equation: Equation, direction: f64, step: &
         return;
     }
     let series = &mut step.series;
-    VectorField::<Alone<A>>::continue_series(&equation, series);
+    VectorField::<Alone<A>>::continue_series(&equation, series, &mut PlanTerms::default());
     let mut size = direction * reach(series.shares::<Alone<A>>(FINEST));
     step.ending = None;
     // The motion itself goes on smoothly through the support's level, so a step may reach across it.

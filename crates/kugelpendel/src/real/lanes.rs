@@ -7,9 +7,9 @@ use crate::given::drive::Drive;
 use crate::given::forces::Thread;
 use crate::numbers::lanes::{Instructions, Lanes};
 use crate::real::problem::Problem;
-use crate::real::sphere::{FieldKind, SphereField};
+use crate::real::sphere::{FieldKind, SphereField, SphereTerms, lanes_that_slow_down};
 use crate::real::step::{advance_by, conclude, conclude_quietly, is_finite, longest, onto_sphere};
-use crate::taylor::events::{Beyond, Outward, SpeedSquaredRate, lanes_that_pass};
+use crate::taylor::events::{Beyond, Outward, lanes_that_pass};
 use crate::taylor::layout::Several;
 use crate::taylor::series::{Point, Series, in_lane};
 use crate::taylor::step::{Checkpoint, Step};
@@ -25,6 +25,7 @@ pub(crate) struct LaneStep<'a> {
 pub(crate) struct Abreast<L> {
     field: SphereField<L>,
     series: Series<L, [L; 3]>,
+    terms: SphereTerms<L, [L; 3]>,
     tolerance: L,
     direction: L,
     /// Of a drive that waits for it.
@@ -39,6 +40,7 @@ impl<L: Lanes> Abreast<L> {
         Self {
             field: SphereField::in_all_lanes(field),
             series: Series::zero(),
+            terms: SphereTerms::default(),
             tolerance: L::default(),
             direction: L::same(1.0),
             radius: L::default(),
@@ -111,15 +113,16 @@ impl<L: Lanes> Abreast<L> {
         }
         let flying = self.alone;
         let series = &mut self.series;
-        self.field.continue_series::<Several<L>>(true, series);
+        self.field.continue_series::<Several<L>>(true, series, &mut self.terms);
         let [last, before] = series.shares::<Several<L>>(self.tolerance);
         let mut size = L::default();
+        let (last, before, directions) = (last.numbers(), before.numbers(), self.direction.numbers());
         for (lane, size) in size.numbers_mut().iter_mut().enumerate() {
-            *size = longest([last.numbers()[lane], before.numbers()[lane]], self.direction.numbers()[lane]);
+            *size = longest([last[lane], before[lane]], directions[lane]);
         }
         let margin = series.guard_margin::<Several<L>>(size);
         let slowest = match self.field.kind {
-            FieldKind::Braked => lanes_that_pass(&SpeedSquaredRate(series, self.direction), size, true),
+            FieldKind::Braked => lanes_that_slow_down(series, self.direction, size),
             FieldKind::Bare | FieldKind::Forced => 0,
         };
         let pushed = self.lanes_that_are_pushed(size, steps);

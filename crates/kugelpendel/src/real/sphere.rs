@@ -6,11 +6,11 @@
 use crate::given::forces::Forces;
 use crate::numbers::arithmetic::{Arithmetic, horner};
 use crate::numbers::lanes::{Lanes, Number};
-use crate::taylor::events::{SpeedSquaredRate, first};
-use crate::taylor::layout::Layout;
+use crate::taylor::events::{PIECES, Passages, Piece, SpeedSquaredRate, first_passages};
+use crate::taylor::layout::{Alone, Layout, Several};
 use crate::taylor::series::{
-    Coefficients, ORDER, Point, RECIPROCALS, Series, SeriesOf, VectorField, Vectors, dot, inner_terms, product, square,
-    total,
+    Coefficients, ORDER, Point, RECIPROCALS, Series, SeriesOf, VectorField, Vectors, early_terms_of_two, inner_square,
+    polynomial, product, square, square_and_early_terms, total, with_last_term,
 };
 
 /// Speeds, in lω0, that quadratic drag does not tell from rest: |v| has no series at v = 0, √(v² + s²) has, and the
@@ -28,9 +28,52 @@ const AT_ONCE: f64 = 1e-6;
 /// through zero as that of v, below zero.
 #[inline(always)]
 pub(crate) fn slowest_point<A: Arithmetic>(series: &Series, direction: f64, size: f64) -> Option<f64> {
-    let at = first::<A>(&SpeedSquaredRate(series, direction), size, true)?;
+    let rate = SpeedSquaredRate::of::<Alone<A>>(series, direction);
+    let mut piece = Piece::start::<A>(&rate, size, true);
+    if !piece.next::<A>(&rate) {
+        return None;
+    }
+    if least_speed_squared::<Alone<A>>(series, piece.ends[0], piece.values[0], size) >= slow_squared::<Alone<A>>(series)
+    {
+        return None;
+    }
+    let at = piece.time::<A>(&rate);
     let slowest = horner::<A, _>(&series.speed_squared, ORDER, at);
-    (at.abs() > AT_ONCE && slowest < SLOW * SLOW * series.speed_squared[0]).then_some(at + 0.5 * AT_ONCE * direction)
+    (at.abs() > AT_ONCE && slowest < slow_squared::<Alone<A>>(series)).then_some(at + 0.5 * AT_ONCE * direction)
+}
+
+/// Marks the lanes, 1 << lane, in which [`slowest_point`] has to be asked.
+#[inline(always)]
+pub(crate) fn lanes_that_slow_down<L: Lanes>(series: &Series<L, [L; 3]>, direction: L, size: L) -> u32 {
+    let Passages { mut lanes, before, below } =
+        first_passages(&SpeedSquaredRate::of::<Several<L>>(series, direction), size, true);
+    if lanes != 0 {
+        let least = least_speed_squared::<Several<L>>(series, before, below, size);
+        let slow = slow_squared::<Several<L>>(series);
+        for (lane, (least, slow)) in least.numbers().iter().zip(slow.numbers()).enumerate() {
+            lanes &= !(u32::from(least >= slow) << lane);
+        }
+    }
+    lanes
+}
+
+/// Below this v² a slowest point is a turning point.
+#[inline(always)]
+fn slow_squared<L: Layout>(series: &SeriesOf<L>) -> L::Scalar {
+    L::same(SLOW * SLOW) * series.speed_squared[0]
+}
+
+/// In a piece of a step with its minimum, where it is convex, v² does not fall below this: what its tangent at the beginning,
+/// of a rate below zero, has come to at the end.
+#[inline(always)]
+fn least_speed_squared<L: Layout>(
+    series: &SeriesOf<L>,
+    before: L::Scalar,
+    rate: L::Scalar,
+    size: L::Scalar,
+) -> L::Scalar {
+    let piece = L::abs(size) * L::same(1.0 / PIECES as f64);
+    L::mul_add(rate, piece, polynomial::<L>(&series.speed_squared, before))
 }
 
 /// The forces without dimensions, as matrices on r and v.
@@ -114,10 +157,15 @@ impl SphereField {
 impl<S: Number> SphereField<S> {
     /// Continues the series of the motion from where it starts, on a taut thread or in flight.
     #[inline(always)]
-    pub(crate) fn continue_series<L: Layout<Scalar = S>>(&self, taut: bool, series: &mut SeriesOf<L>) {
+    pub(crate) fn continue_series<L: Layout<Scalar = S>>(
+        &self,
+        taut: bool,
+        series: &mut SeriesOf<L>,
+        terms: &mut SphereTerms<S, L::Vector>,
+    ) {
         macro_rules! acting {
             ($forced:literal, $quadratic:literal, $taut:literal) => {
-                VectorField::<L>::continue_series(&ActingField::<S, $forced, $quadratic, $taut>(self), series)
+                VectorField::<L>::continue_series(&ActingField::<S, $forced, $quadratic, $taut>(self), series, terms)
             };
         }
         match (self.kind, taut) {
@@ -184,12 +232,6 @@ impl<L: Layout, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool> Vec
     type Terms = SphereTerms<L::Scalar, L::Vector>;
 
     #[inline(always)]
-    fn terms() -> Self::Terms {
-        let zero = L::same(0.0);
-        SphereTerms { sideways: [L::vector([zero; 3]); ORDER + 1], speed: [zero; ORDER + 1] }
-    }
-
-    #[inline(always)]
     fn next_order(&self, k: usize, series: &mut SeriesOf<L>, terms: &mut Self::Terms) {
         let ActingField(field) = self;
         let Series { position, velocity, guard, speed_squared } = series;
@@ -200,15 +242,16 @@ impl<L: Layout, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool> Vec
         }
         if QUADRATIC {
             let speed = &mut terms.speed;
-            let squared = square::<L>(k, velocity);
+            let (squared, early) = square_and_early_terms::<L>(k, velocity, speed);
             if k == 0 {
                 speed_squared[0] = squared + L::same(STILL * STILL);
                 speed[0] = L::sqrt(speed_squared[0]);
+                terms.half_slowness = L::same(0.5) / speed[0];
             } else {
                 speed_squared[k] = squared;
-                speed[k] = (squared - inner_terms::<L>(k, speed, speed)) / (L::same(2.0) * speed[0]);
+                speed[k] = (squared - inner_square::<L>(k, speed)) * terms.half_slowness;
             }
-            let drag = product::<L>(k, speed, velocity);
+            let drag = with_last_term::<L>(early, L::everywhere(speed[k]), velocity);
             force = L::plus(force, drag, -field.quadratic);
         }
         if k == 0 {
@@ -218,10 +261,17 @@ impl<L: Layout, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool> Vec
         if TAUT {
             // Λ_K, and with it the thread's part of the force.
             let squared = if QUADRATIC { speed_squared[k] } else { square::<L>(k, velocity) };
-            let other = if FORCED { total::<L>(&dot::<L>(k, &terms.sideways, position)) } else { L::same(0.0) };
             let [_, _, z] = L::parts(&position[k]);
-            guard[k] = squared + other + z;
-            let pull = product::<L>(k, guard, position);
+            let pull = if FORCED {
+                let sideways = &terms.sideways;
+                let [others, pull] = early_terms_of_two::<L>(k, sideways, guard, position);
+                let other = with_last_term::<L>(others, L::registers(&sideways[k]), position);
+                guard[k] = squared + total::<L>(&other) + z;
+                with_last_term::<L>(pull, L::everywhere(guard[k]), position)
+            } else {
+                guard[k] = squared + z;
+                product::<L>(k, guard, position)
+            };
             force = L::plus(force, pull, L::same(-1.0));
         }
         let share = L::same(RECIPROCALS[k + 1]);
@@ -231,8 +281,11 @@ impl<L: Layout, const FORCED: bool, const QUADRATIC: bool, const TAUT: bool> Vec
 }
 
 /// Series that are needed on the way.
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct SphereTerms<S, V> {
     sideways: Vectors<V>,
     /// |v|.
     speed: Coefficients<S>,
+    /// 1/(2|v|) where the step starts.
+    half_slowness: S,
 }

@@ -5,7 +5,7 @@ use crate::given::drive::Drive;
 use crate::given::forces::Thread;
 use crate::numbers::arithmetic::{Arithmetic, dispatch};
 use crate::real::problem::Problem;
-use crate::real::sphere::{FieldKind, slowest_point};
+use crate::real::sphere::{FieldKind, SphereTerms, slowest_point};
 use crate::taylor::events::{Beyond, Guard, Outside, Outward, first};
 use crate::taylor::layout::{Alone, Layout};
 use crate::taylor::series::{Point, Series, reach};
@@ -29,7 +29,8 @@ fn advance_with<A: Arithmetic>(_: A, problem: &Problem, direction: f64, step: &m
 pub(crate) fn advance_by<A: Arithmetic, const WRITTEN_OUT: bool>(problem: &Problem, direction: f64, step: &mut Step) {
     let series = &mut step.series;
     series.start(&step.next.point);
-    problem.field.continue_series::<Alone<A, WRITTEN_OUT>>(!step.next.free, series);
+    let terms = &mut SphereTerms::default();
+    problem.field.continue_series::<Alone<A, WRITTEN_OUT>>(!step.next.free, series, terms);
     let size = longest(series.shares::<Alone<A>>(problem.tolerance), direction);
     conclude::<A>(problem, direction, size, step);
 }

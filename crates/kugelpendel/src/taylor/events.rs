@@ -1,10 +1,10 @@
 //! When something happens within a step: the zeros of a function of its series, to the last bit.
 
 use crate::numbers::arithmetic::Arithmetic;
-use crate::numbers::lanes::Lanes;
+use crate::numbers::lanes::{Lanes, Number};
 use crate::numbers::roots::{ScalarFunction, zero_between};
 use crate::taylor::layout::{Alone, Layout, Several, Vector};
-use crate::taylor::series::{ORDER, Point, Series};
+use crate::taylor::series::{Coefficients, ORDER, Point, Series, SeriesOf};
 
 /// Something that happens to the bob at one time, and that can be asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,6 +28,12 @@ pub enum Event {
 /// A function of the time since the start of a step.
 pub(crate) trait StepFunction<L: Layout> {
     fn value_at(&self, since: L::Scalar) -> L::Scalar;
+
+    /// At several times at once, which need not wait for one another.
+    #[inline(always)]
+    fn values_at(&self, [t0, t1, t2, t3]: [L::Scalar; 4]) -> [L::Scalar; 4] {
+        [self.value_at(t0), self.value_at(t1), self.value_at(t2), self.value_at(t3)]
+    }
 }
 
 /// ½ d(ρ²)/dt: from below zero upwards at the closest approach to the axis.
@@ -86,17 +92,39 @@ impl<A: Arithmetic> StepFunction<Alone<A>> for Guard<'_> {
 }
 
 /// d(v²)/dt in the sense of the walk: from below zero upwards where the bob is slowest.
-pub(crate) struct SpeedSquaredRate<'a, S = f64, V = Vector>(pub(crate) &'a Series<S, V>, pub(crate) S);
+pub(crate) struct SpeedSquaredRate<S = f64>(Coefficients<S>);
 
-impl<L: Layout> StepFunction<L> for SpeedSquaredRate<'_, L::Scalar, L::Vector> {
+impl<S: Number> SpeedSquaredRate<S> {
+    #[inline(always)]
+    pub(crate) fn of<L: Layout<Scalar = S>>(series: &SeriesOf<L>, direction: S) -> Self {
+        let mut rate = [L::same(0.0); ORDER + 1];
+        for k in 1..ORDER {
+            rate[k - 1] = direction * L::same(k as f64) * series.speed_squared[k];
+        }
+        Self(rate)
+    }
+}
+
+impl<L: Layout> StepFunction<L> for SpeedSquaredRate<L::Scalar> {
     #[inline(always)]
     fn value_at(&self, since: L::Scalar) -> L::Scalar {
-        let squared = &self.0.speed_squared;
         let mut sum = L::same(0.0);
-        for k in (1..ORDER).rev() {
-            sum = L::mul_add(sum, since, L::same(k as f64) * squared[k]);
+        for k in (0..ORDER - 1).rev() {
+            sum = L::mul_add(sum, since, self.0[k]);
         }
-        self.1 * sum
+        sum
+    }
+
+    #[inline(always)]
+    fn values_at(&self, times: [L::Scalar; 4]) -> [L::Scalar; 4] {
+        let [mut s0, mut s1, mut s2, mut s3] = [L::same(0.0); 4];
+        for k in (0..ORDER - 1).rev() {
+            s0 = L::mul_add(s0, times[0], self.0[k]);
+            s1 = L::mul_add(s1, times[1], self.0[k]);
+            s2 = L::mul_add(s2, times[2], self.0[k]);
+            s3 = L::mul_add(s3, times[3], self.0[k]);
+        }
+        [s0, s1, s2, s3]
     }
 }
 
@@ -110,8 +138,9 @@ impl<A: Arithmetic, F: StepFunction<Alone<A>>> ScalarFunction<A> for OfOneCase<'
     }
 }
 
-/// Pieces of a step that are looked at one by one; a step is at most a quarter of a swing.
-const PIECES: usize = 8;
+/// Pieces of a step that are looked at one by one, four at once where cases go side by side; a step is at most a quarter of
+/// a swing.
+pub(crate) const PIECES: usize = 8;
 
 /// The times, in order, at which a function passes through zero between 0 and `end`.
 #[derive(Clone, Copy, Default)]
@@ -141,24 +170,57 @@ pub(crate) fn crossings<A: Arithmetic>(function: &impl StepFunction<Alone<A>>, e
 
 #[inline(always)]
 fn at_most<A: Arithmetic>(function: &impl StepFunction<Alone<A>>, end: f64, upwards: bool, most: usize) -> Crossings {
-    let function = &OfOneCase(function);
-    let sign = if upwards { 1.0 } else { -1.0 };
     let mut found = Crossings::default();
-    let (mut before, mut below) = (0.0, sign * ScalarFunction::<A>::value(function, 0.0));
-    for piece in 1..=PIECES {
-        let after = end * share(piece);
-        let above = sign * ScalarFunction::<A>::value(function, after);
-        if passes(below, above) {
-            found.times[found.count] =
-                if below == 0.0 { before } else { zero_between::<A>(function, sign, [before, after], [below, above]) };
-            found.count += 1;
-            if found.count == most {
-                break;
-            }
-        }
-        (before, below) = (after, above);
+    let mut piece = Piece::start::<A>(function, end, upwards);
+    while found.count < most && piece.next::<A>(function) {
+        found.times[found.count] = piece.time::<A>(function);
+        found.count += 1;
     }
     found
+}
+
+/// A piece of a step, in which a function passes through zero.
+pub(crate) struct Piece {
+    number: usize,
+    end_of_step: f64,
+    sign: f64,
+    pub(crate) ends: [f64; 2],
+    /// Of the function at the ends, with the sign that makes it pass upwards.
+    pub(crate) values: [f64; 2],
+}
+
+impl Piece {
+    /// Before the first one.
+    #[inline(always)]
+    pub(crate) fn start<A: Arithmetic>(function: &impl StepFunction<Alone<A>>, end: f64, upwards: bool) -> Self {
+        let sign = if upwards { 1.0 } else { -1.0 };
+        let value = sign * function.value_at(0.0);
+        Self { number: 0, end_of_step: end, sign, ends: [0.0; 2], values: [value; 2] }
+    }
+
+    /// Goes on to the next, if there is one.
+    #[inline(always)]
+    pub(crate) fn next<A: Arithmetic>(&mut self, function: &impl StepFunction<Alone<A>>) -> bool {
+        while self.number < PIECES {
+            self.number += 1;
+            let after = self.end_of_step * share(self.number);
+            self.ends = [self.ends[1], after];
+            self.values = [self.values[1], self.sign * function.value_at(after)];
+            if passes(self.values[0], self.values[1]) {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// When the function passes through zero.
+    #[inline(always)]
+    pub(crate) fn time<A: Arithmetic>(&self, function: &impl StepFunction<Alone<A>>) -> f64 {
+        if self.values[0] == 0.0 {
+            return self.ends[0];
+        }
+        zero_between::<A>(&OfOneCase(function), self.sign, self.ends, self.values)
+    }
 }
 
 /// Of the step, where a piece ends.
@@ -172,18 +234,44 @@ fn passes(below: f64, above: f64) -> bool {
     below <= 0.0 && above > 0.0
 }
 
+/// The first pieces in which a function passes through zero, as [`Piece`] finds them.
+pub(crate) struct Passages<L> {
+    /// Those that there are, as 1 << lane.
+    pub(crate) lanes: u32,
+    /// Where they begin.
+    pub(crate) before: L,
+    /// The function there, with the sign that makes it pass upwards.
+    pub(crate) below: L,
+}
+
+#[inline(always)]
+pub(crate) fn first_passages<L: Lanes>(function: &impl StepFunction<Several<L>>, end: L, upwards: bool) -> Passages<L> {
+    let sign = L::same(if upwards { 1.0 } else { -1.0 });
+    let mut found = Passages { lanes: 0, before: L::default(), below: L::default() };
+    let (mut before, mut below) = (L::default(), sign * function.value_at(L::default()));
+    for passed in (0..PIECES).step_by(4) {
+        let [t0, t1, t2, t3] = [share(passed + 1), share(passed + 2), share(passed + 3), share(passed + 4)];
+        let ends = [end * L::same(t0), end * L::same(t1), end * L::same(t2), end * L::same(t3)];
+        let values = function.values_at(ends);
+        for (after, value) in ends.into_iter().zip(values) {
+            let above = sign * value;
+            let mut lanes = 0;
+            for (lane, (below, above)) in below.numbers().iter().zip(above.numbers()).enumerate() {
+                lanes |= u32::from(passes(*below, *above)) << lane;
+            }
+            for lane in (0..L::COUNT).filter(|lane| lanes & !found.lanes & (1 << lane) != 0) {
+                found.before.numbers_mut()[lane] = before.numbers()[lane];
+                found.below.numbers_mut()[lane] = below.numbers()[lane];
+            }
+            found.lanes |= lanes;
+            (before, below) = (after, above);
+        }
+    }
+    found
+}
+
 /// Marks the lanes, 1 << lane, in which [`first`] finds a time.
 #[inline(always)]
 pub(crate) fn lanes_that_pass<L: Lanes>(function: &impl StepFunction<Several<L>>, end: L, upwards: bool) -> u32 {
-    let sign = L::same(if upwards { 1.0 } else { -1.0 });
-    let mut found = 0;
-    let mut below = sign * function.value_at(L::same(0.0));
-    for piece in 1..=PIECES {
-        let above = sign * function.value_at(end * L::same(share(piece)));
-        for (lane, (below, above)) in below.numbers().iter().zip(above.numbers()).enumerate() {
-            found |= u32::from(passes(*below, *above)) << lane;
-        }
-        below = above;
-    }
-    found
+    first_passages(function, end, upwards).lanes
 }
