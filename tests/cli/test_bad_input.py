@@ -228,7 +228,8 @@ def test_package_that_is_not_installed(call, write, monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr(units, "_registry", absent)
     units._parsed.cache_clear()
     monkeypatch.setitem(sys.modules, "pint", None)
-    _is_refused(call("run", write()), ["pint is not installed", "kugelpendel[run]"])
+    in_feet = write(pendulum={"length": "219 ft"})
+    _is_refused(call("run", in_feet), ["pint is not installed", "kugelpendel[run]"])
 
 
 def _is_refused(outcome: Any, words: list[str]) -> None:

@@ -38,7 +38,7 @@ def test_nothing_heavy_is_imported(arguments: list[str]) -> None:
     assert not loaded & HEAVY
 
 
-def test_the_main_job_does_without_pandas_and_xarray(write, tmp_path) -> None:
+def test_the_main_job_does_without_pandas_xarray_and_pint(write, tmp_path) -> None:
     program = (
         "import sys\n"
         "from kugelpendel.cli import main\n"
@@ -49,7 +49,7 @@ def test_the_main_job_does_without_pandas_and_xarray(write, tmp_path) -> None:
     done = subprocess.run(
         [sys.executable, "-c", program], capture_output=True, text=True, check=True
     )
-    assert not set(done.stderr.split()) & {"pandas", "xarray"}
+    assert not set(done.stderr.split()) & {"pandas", "xarray", "pint"}
 
 
 def test_version() -> None:

@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kugelpendel import InvalidInput
+from kugelpendel.cli.job_file import units
 from kugelpendel.cli.job_file.kinds import (
     ACCELERATION,
     ANGLE,
@@ -179,3 +180,12 @@ def test_parts_of_an_angle_add_up(angle, comma: bool) -> None:
     text = f"{whole} deg {minutes} min"
     value = read_quantity(text.replace(".", ",") if comma else text, ANGLE, "")
     assert value == pytest.approx(math.radians(angle), rel=4e-16, abs=1e-300)
+
+
+def test_everyday_units_are_those_of_pint() -> None:
+    assert units._EVERYDAY
+    for (unit, si), size in units._EVERYDAY.items():
+        scale, root, _ = units._parsed(unit)
+        of_si, expected, _ = units._parsed(si)
+        assert root == expected
+        assert size == scale / of_si

@@ -42,6 +42,18 @@ _PREFIXES = {
 """Units that have prefixes, and which; None for all. Min, kdeg and Mrad are not meant."""
 
 
+_EVERYDAY: dict[tuple[str, str], Decimal] = {
+    **{(unit, "m"): Decimal(size) for unit, size in (("cm", "0.01"), ("mm", "0.001"))},
+    **{(unit, "s"): Decimal(size) for unit, size in (("min", 60), ("h", 3600))},
+    ("g", "kg"): Decimal("0.001"),
+    ("deg", "rad"): Decimal("0.01745329251994329576923690768"),
+    ("°", "rad"): Decimal("0.01745329251994329576923690768"),
+}
+"""How many SI units one is, for files in everyday units, which are read without pint: loading it
+and its own units takes longer than most sweeps take to their first result. A test holds them
+against pint."""
+
+
 class UnitRefused(Exception):
     """A unit that is not known, or not unambiguous; the message goes on after its name."""
 
@@ -54,6 +66,10 @@ def size_of(unit: str, kind: Kind) -> Decimal | None:
     UnitRefused
         The unit is not known, or it looks like another one.
     """
+    if unit == kind.unit:
+        return Decimal(1)
+    if (everyday := _EVERYDAY.get((unit, kind.unit))) is not None:
+        return everyday
     if _UNIT.fullmatch(unit) is None:
         raise UnitRefused("is not known")
     names: list[str] = re.findall(_NAME, unit)
