@@ -32,7 +32,7 @@ from kugelpendel.sweeps.cases import (
 if TYPE_CHECKING:
     from kugelpendel.errors import Door, Language
 
-_PIECE = 1 << 17
+_PIECE = 1 << 16
 """Cases whose motions are in memory at once."""
 
 
@@ -120,7 +120,8 @@ def _results(
     kinds = [kind for kind, _, _ in reduced_arrays(sweep)]
     status = np.full(stop - start, NOT_YET, dtype=np.uint8)
     values: dict[str, Numbers] = {}
-    parts: dict[str, list[NDArray[Any]]] = {}
+    fields: dict[str, list[Numbers]] = {}
+    bins: dict[str, NDArray[np.uint32]] = {}
     for first in range(start, stop, _PIECE):
         last = min(first + _PIECE, stop)
         piece = slice(first - start, last - start)
@@ -130,14 +131,13 @@ def _results(
                 if name not in values:
                     values[name] = np.empty((stop - start, *numbers.shape[1:]))
                 values[name][piece] = numbers
-            for kind in kinds:
-                made = {"moments": moments, "bins": binned}[kind](numbers)
-                parts.setdefault(f"{name}_{kind}", []).append(made)
-    reduced: dict[str, NDArray[Any]] = {
-        name: combined(np.stack(made)) if name.endswith("_moments") else np.sum(made, axis=0)
-        for name, made in parts.items()
-    }
-    return values, reduced, status
+            if "moments" in kinds:
+                fields.setdefault(f"{name}_moments", []).append(moments(numbers))
+            if "bins" in kinds:
+                counts = binned(numbers)
+                bins[f"{name}_bins"] = counts + bins.get(f"{name}_bins", np.uint32(0))
+    united = {name: combined(np.stack(made)) for name, made in fields.items()}
+    return values, {**united, **bins}, status
 
 
 def _ended(motion: Motion, last: float) -> NDArray[np.bool_]:

@@ -26,7 +26,7 @@ SHARES = (0.01, 0.025, 0.05, 0.25, 0.5, 0.75, 0.95, 0.975, 0.99)
 _NAMED = 10
 """Bad cases that are named by their index."""
 
-_AT_ONCE = 1 << 20
+_AT_ONCE = 1 << 19
 """Cells that are read at once where bins are added up."""
 
 

@@ -79,7 +79,8 @@ class SweepStore:
     def array(self, name: str) -> Any:
         """One of its arrays."""
         if name not in self._arrays:
-            self._arrays[name] = self.group[name]
+            # Zarr would look through each chunk for a reason to leave it out.
+            self._arrays[name] = self.group[name].with_config({"write_empty_chunks": True})
         return self._arrays[name]
 
     @property

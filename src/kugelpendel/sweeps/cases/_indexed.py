@@ -67,16 +67,32 @@ def grid_stretch(laws: Sequence[Law], start: int, stop: int) -> list[Numbers]:
 
 def sample_cases(sweep: Sweep, laws: Sequence[Law], index: Indices) -> list[Numbers]:
     """Independent draws, with the index as the counter of the generator."""
-    # One or two numbers share a count with those of other cases; more have counts of their own.
-    width = len(laws) if len(laws) < 3 else -(-len(laws) // _WORDS) * _WORDS
-    words = np.empty((*index.shape, width), dtype=np.uint64)
-    for first, where in _runs(index):
-        count, skipped = divmod(first * width, _WORDS)
-        draw = np.random.Philox(key=_key(sweep.seed), counter=count)
-        wanted = (where.stop - where.start) * width
-        raw = cast("Any", draw).random_raw(skipped + wanted)
-        words[where] = raw[skipped:].reshape(-1, width)
-    return [law.drawn(_chance(words[..., k])) for k, law in enumerate(laws)]
+    words = [np.empty((0, _width(laws)), dtype=np.uint64)]
+    words += [_words(sweep, laws, start, stop) for start, stop in _runs(index)]
+    return _drawn(laws, np.concatenate(words))
+
+
+def sample_stretch(sweep: Sweep, laws: Sequence[Law], start: int, stop: int) -> list[Numbers]:
+    """The same for the indices from start to stop − 1, without writing them down."""
+    return _drawn(laws, _words(sweep, laws, start, stop))
+
+
+def _words(sweep: Sweep, laws: Sequence[Law], start: int, stop: int) -> NDArray[np.uint64]:
+    """The random words of the cases from start to stop − 1: shape (stop − start, width)."""
+    width = _width(laws)
+    count, skipped = divmod(start * width, _WORDS)
+    generator = cast("Any", np.random.Philox(key=_key(sweep.seed), counter=count))
+    raw: NDArray[np.uint64] = generator.random_raw(skipped + (stop - start) * width)
+    return raw[skipped:].reshape(-1, width)
+
+
+def _width(laws: Sequence[Law]) -> int:
+    """Words of a case: one or two share a count with other cases; more have counts of their own."""
+    return len(laws) if len(laws) < 3 else -(-len(laws) // _WORDS) * _WORDS
+
+
+def _drawn(laws: Sequence[Law], words: NDArray[np.uint64]) -> list[Numbers]:
+    return [law.drawn(_chance(words[:, k])) for k, law in enumerate(laws)]
 
 
 def sobol_cases(sweep: Sweep, laws: Sequence[Law], index: Indices) -> list[Numbers]:
@@ -104,13 +120,12 @@ def sobol_cases(sweep: Sweep, laws: Sequence[Law], index: Indices) -> list[Numbe
     return values
 
 
-def _runs(index: Indices) -> list[tuple[int, slice]]:
-    """Stretches of indices that go up one by one: the first index, and where they stand."""
+def _runs(index: Indices) -> list[tuple[int, int]]:
+    """Stretches of indices that go up one by one: the first of each, and the one after its last."""
     if index.size == 0:
         return []
-    breaks = np.flatnonzero(np.diff(index) != 1) + 1
-    edges = pairwise([0, *breaks.tolist(), index.size])
-    return [(int(index[start]), slice(start, stop)) for start, stop in edges]
+    edges = [0, *(np.flatnonzero(np.diff(index) != 1) + 1).tolist(), index.size]
+    return [(int(index[here]), int(index[after - 1]) + 1) for here, after in pairwise(edges)]
 
 
 def _chance(words: NDArray[np.uint64]) -> Numbers:

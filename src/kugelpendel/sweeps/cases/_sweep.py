@@ -32,7 +32,13 @@ from kugelpendel.sweeps.cases._checks import (
     where,
 )
 from kugelpendel.sweeps.cases._cost import LEAF
-from kugelpendel.sweeps.cases._indexed import grid_cases, grid_stretch, sample_cases, sobol_cases
+from kugelpendel.sweeps.cases._indexed import (
+    grid_cases,
+    grid_stretch,
+    sample_cases,
+    sample_stretch,
+    sobol_cases,
+)
 from kugelpendel.sweeps.cases._laws import LAWS, Law, stored_law
 from kugelpendel.sweeps.cases._pendulums import UNITS, WORDS, Table, assembled
 
@@ -174,9 +180,11 @@ class Sweep:
 
     def values(self, start: int, stop: int) -> dict[str, Numbers]:
         """What varies, for the cases from start to stop − 1: SI, shape (stop − start,) each."""
+        laws = list(self.varied.values())
         if self.design == "grid" and stop > start:
-            stretch = grid_stretch(list(self.varied.values()), start, stop)
-            return dict(zip(self.names, stretch, strict=True))
+            return dict(zip(self.names, grid_stretch(laws, start, stop), strict=True))
+        if self.design == "sample":
+            return dict(zip(self.names, sample_stretch(self, laws, start, stop), strict=True))
         return self.values_at(np.arange(start, stop, dtype=np.int64))
 
     def values_at(self, index: Any) -> dict[str, Numbers]:
