@@ -3,7 +3,7 @@
 use crate::columns::{Columns, Numbers};
 use crate::given::{Problems, Told, each_case};
 use crate::stepped::{Asked, Leg, Stepped};
-use kugelpendel::{Pendulum, RealMotion, Thread, follow};
+use kugelpendel::{Pendulum, RealMotion, Thread};
 use numpy::PyReadonlyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -103,17 +103,15 @@ impl RealMotions {
         if !times.is_sorted() || times.first().is_none_or(|first| *first < 0.0) {
             return Err(PyValueError::new_err("the times must be in order, the first at least 0"));
         }
-        self.0.rows(py, 5 + 3 * times.len(), |index, motion, walk, out, stop| {
+        let given = |index: usize| {
             let [length, gravity, mass, rotation] = columns.row(index);
-            let given = (Pendulum { length, gravity, mass }, rotation);
+            (Pendulum { length, gravity, mass }, rotation)
+        };
+        self.0.followed(py, 5 + 3 * times.len(), times, given, |follower, out| {
             let (numbers, ellipses) = out.split_at_mut(5);
-            match follow(motion, given, times, ellipses, walk, stop) {
-                Ok(f) => {
-                    let [least, most] = f.tension;
-                    numbers.copy_from_slice(&[f.widest, least, most, f.quarter_turn, f.stands_since]);
-                }
-                Err(_) => out.fill(f64::NAN),
-            }
+            let found = follower.finish(times, ellipses);
+            let [least, most] = found.tension;
+            numbers.copy_from_slice(&[found.widest, least, most, found.quarter_turn, found.stands_since]);
         })
     }
 

@@ -5,7 +5,8 @@ use crate::given::{Problems, Told, bad, problems, tell};
 use crate::meaning::event;
 use crate::signal::{Signal, lock};
 use kugelpendel::{
-    Case, Done, Ending, Halt, IntegratedMotion, Invalid, Passage, Readings, RealMotion, Stop, Walk, in_parallel,
+    Case, Done, Ending, Follower, Halt, IntegratedMotion, Invalid, Passage, Pendulum, Readings, RealMotion, Stop, Walk,
+    follow_all, in_parallel,
 };
 use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -144,56 +145,46 @@ impl<M: Readable> Stepped<M> {
         self.motions.len()
     }
 
-    /// So many numbers of each motion, one row after the other, on all processors; NaN for the bad ones.
-    pub(crate) fn rows<'py>(
-        &self,
-        py: Python<'py>,
-        width: usize,
-        fill: impl Fn(usize, &M, &mut Walk, &mut [f64], Stop<'_>) + Sync,
-    ) -> PyResult<Numbers<'py>> {
-        let signal = Signal::default();
-        let row = |index: usize, out: &mut [f64], stop: Stop<'_>| {
-            out.fill(f64::NAN);
-            if let Ok(motion) = &self.motions[index]
-                && !stop()
-            {
-                fill(index, motion, &mut lock(&self.walks[index]), out, stop);
-            }
-        };
-        let array = new_array(py, width * self.motions.len(), |out| {
-            if self.motions.len() == 1 {
-                return row(0, out, &|| signal.ends_work());
-            }
-            let rows = out.par_chunks_mut(width).enumerate();
-            let stop = || signal.has_arrived();
-            signal.watch(|| in_parallel(|| rows.for_each(|(index, out)| row(index, out, &stop))));
-        });
-        signal.raised()?;
-        Ok(array)
-    }
-
-    /// Shares the motions out among the threads, each of which takes the next ones when it is done with some.
     fn fill_all(&self, times: &[f64], asked: Asked, out: &mut [f64], ends: &mut [f64], stop: Stop<'_>) {
         let rows = out.chunks_mut(out.len() / self.motions.len()).zip(ends).enumerate();
-        let rows = Mutex::new(rows.filter_map(|(index, (row, end))| {
-            let motion = self.motions[index].as_ref().ok()?;
-            let walk = lock(&self.walks[index]).take();
+        let cases = rows.filter_map(|(index, (row, end))| {
+            let (motion, walk) = self.taken(index)?;
             Some(Case { tag: (index, end), motion, readings: asked.readings(times, row), walk })
-        }));
+        });
+        self.shared_out(cases, |cases, at_once| {
+            let mut done = |case: Case<'_, M, (usize, &mut f64)>, halted| {
+                let (index, end) = case.tag;
+                self.give_back(index, case.walk);
+                if let Err(Halt::Ended(time, _)) = halted {
+                    *end = time;
+                }
+            };
+            M::read_all(cases, at_once, &mut done, stop);
+        });
+    }
+
+    /// A good motion, and its walk out of here.
+    fn taken(&self, index: usize) -> Option<(&M, Walk)> {
+        let motion = self.motions[index].as_ref().ok()?;
+        Some((motion, lock(&self.walks[index]).take()))
+    }
+
+    fn give_back(&self, index: usize, walk: Walk) {
+        *lock(&self.walks[index]) = walk;
+    }
+
+    /// Shares cases out among the threads, each of which takes the next ones when it is done with some: `work` on those of
+    /// a thread, so many at once.
+    fn shared_out<C: Send>(
+        &self,
+        cases: impl Iterator<Item = C> + Send,
+        work: impl Fn(&mut dyn Iterator<Item = C>, usize) + Sync,
+    ) {
+        let cases = Mutex::new(cases);
         in_parallel(|| {
             let threads = rayon::current_num_threads();
             let at_once = self.motions.len().div_ceil(threads);
-            (0..threads).into_par_iter().for_each(|_| {
-                let mut cases = std::iter::from_fn(|| lock(&rows).next());
-                let mut done = |case: Case<'_, M, (usize, &mut f64)>, halted| {
-                    let (index, end) = case.tag;
-                    *lock(&self.walks[index]) = case.walk;
-                    if let Err(Halt::Ended(time, _)) = halted {
-                        *end = time;
-                    }
-                };
-                M::read_all(&mut cases, at_once, &mut done, stop);
-            });
+            (0..threads).into_par_iter().for_each(|_| work(&mut std::iter::from_fn(|| lock(&cases).next()), at_once));
         });
     }
 
@@ -278,6 +269,49 @@ impl<M: Readable> Stepped<M> {
         });
         signal.raised()?;
         Ok(spans.into_pyarray(py))
+    }
+}
+
+impl Stepped<RealMotion> {
+    /// What each motion does up to the last of some ascending times, with a row of `width` numbers to write it to; NaN for
+    /// the bad ones and those that end before. `given` are the point mass that moves like the bob, and how the ground turns.
+    pub(crate) fn followed<'py>(
+        &self,
+        py: Python<'py>,
+        width: usize,
+        times: &[f64],
+        given: impl Fn(usize) -> (Pendulum, f64) + Sync,
+        write: impl Fn(&Follower<'_>, &mut [f64]) + Sync,
+    ) -> PyResult<Numbers<'py>> {
+        let signal = Signal::default();
+        let count = self.motions.len();
+        let stretches: Vec<_> = (0..count).map(|index| Follower::stretches(&given(index).0, times)).collect();
+        let mut pulls = vec![f64::NAN; 2 * count];
+        let array = new_array(py, width * count, |out| {
+            out.fill(f64::NAN);
+            let rows = out.chunks_mut(width).zip(pulls.chunks_mut(2)).enumerate();
+            let cases = rows.filter_map(|(index, (row, tension))| {
+                let follower = Follower::new(given(index), &stretches[index]);
+                let readings = Readings { tension, ..follower.readings()? };
+                let (motion, walk) = self.taken(index)?;
+                Some(Case { tag: (follower, (index, row)), motion, readings, walk })
+            });
+            let stop = || signal.has_arrived();
+            signal.watch(|| {
+                self.shared_out(cases, |cases, at_once| {
+                    let mut done = |case: Case<'_, RealMotion, (Follower<'_>, (usize, &mut [f64]))>, halted| {
+                        let (follower, (index, row)) = case.tag;
+                        self.give_back(index, case.walk);
+                        if halted == Ok(()) {
+                            write(&follower, row);
+                        }
+                    };
+                    follow_all(cases, at_once, &mut done, &stop);
+                });
+            });
+        });
+        signal.raised()?;
+        Ok(array)
     }
 }
 

@@ -38,7 +38,7 @@ pub use meaning::azimuth::{nearest, unwrap, unwrap_at};
 pub use meaning::compare::{EllipseRates, SWINGS, distances, reach, relative_error};
 pub use meaning::ellipse::Ellipse;
 pub use meaning::events::events_on_a_grid;
-pub use meaning::followed::{Followed, follow};
+pub use meaning::followed::{Followed, Follower, follow, follow_all};
 pub use meaning::measured::{MeasuredRates, PlanState, measured_rates};
 pub use meaning::olsson;
 pub use meaning::regime::Regime;

@@ -2,9 +2,11 @@
 
 use crate::given::pendulum::Pendulum;
 use crate::meaning::apsides::{ApsidesTrack, Apsis, stands_since};
+use crate::real::ensemble::{Case, Done};
 use crate::real::motion::RealMotion;
 use crate::taylor::events::Event;
 use crate::taylor::walk::{Halt, Readings, Stop, Walk};
+use std::cell::RefCell;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Swings between two times at which what was found is put away.
@@ -39,46 +41,108 @@ pub fn follow(
     walk: &mut Walk,
     stop: Stop<'_>,
 ) -> Result<Followed, Halt> {
-    let until = times.last().copied().unwrap_or(0.0);
-    let stretch = TOGETHER * TAU / pendulum.angular_frequency();
-    let mut track = ApsidesTrack::new(pendulum, rotation);
-    let (mut from, mut tension, mut noted) = (0.0, [f64::INFINITY, f64::NEG_INFINITY], f64::NEG_INFINITY);
-    loop {
-        let to = until.min(from + stretch);
+    let stretches = Follower::stretches(&pendulum, times);
+    let mut follower = Follower::new((pendulum, rotation), &stretches);
+    while let Some(readings) = follower.readings() {
         let mut pulls = [f64::NAN; 2];
-        let mut readings = Readings {
-            times: &[from, to],
-            tension: &mut pulls,
-            events: &[Event::Outer, Event::Inner],
-            between: [from, to],
-            most: usize::MAX,
-            ..Readings::default()
-        };
+        let mut readings = Readings { tension: &mut pulls, ..readings };
         motion.read(&mut readings, walk, stop)?;
-        let found = std::mem::take(&mut readings.found);
-        let seen = found.iter().flatten().map(|passage| passage.tension).chain(pulls);
-        tension = seen.fold(tension, |[least, most], pull| [least.min(pull), most.max(pull)]);
-        // One at the very end of a stretch begins the next one too.
-        let outer = found[0].iter().filter(|passage| passage.time > noted);
-        let outer: Vec<_> = outer.map(|passage| (passage.time, passage.state)).collect();
-        noted = outer.last().map_or(noted, |(time, _)| *time);
-        track.add(&outer);
-        if to >= until {
-            break;
+        follower.note(&readings);
+    }
+    Ok(follower.finish(times, ellipses))
+}
+
+/// Follows many motions to their last times as [`follow`] does, to the same bits, up to `at_once` of them side by side. A
+/// case has [`Follower::readings`] of its first stretch, with room for two tensions; it is handed back with what halted it.
+pub fn follow_all<'a, T>(
+    cases: &mut dyn Iterator<Item = Case<'a, RealMotion, (Follower<'a>, T)>>,
+    at_once: usize,
+    done: Done<'_, 'a, RealMotion, (Follower<'a>, T)>,
+    stop: Stop<'_>,
+) {
+    // Cases that are done with a stretch and have more to come go before those that have not begun.
+    let under_way = RefCell::new(Vec::new());
+    let mut next = std::iter::from_fn(|| under_way.borrow_mut().pop().or_else(|| cases.next()));
+    let mut noted = |mut case: Case<'a, RealMotion, (Follower<'a>, T)>, halted: Result<(), Halt>| {
+        if halted.is_ok() {
+            case.tag.0.note(&case.readings);
+            if let Some(readings) = case.tag.0.readings() {
+                case.readings = Readings { tension: case.readings.tension, ..readings };
+                under_way.borrow_mut().push(case);
+                return;
+            }
         }
-        from = to;
+        done(case, halted);
+    };
+    RealMotion::read_all(&mut next, at_once, &mut noted, stop);
+}
+
+/// A motion that is followed, stretch by stretch.
+#[derive(Debug)]
+pub struct Follower<'a> {
+    /// Of those that are still to come.
+    ends: &'a [f64],
+    rotation: f64,
+    track: ApsidesTrack,
+    tension: [f64; 2],
+    /// When the latest outer turning point was.
+    noted: f64,
+}
+
+impl<'a> Follower<'a> {
+    /// The ends of the stretches in which a motion is followed to the last of some ascending times: from the launch on, s.
+    pub fn stretches(pendulum: &Pendulum, times: &[f64]) -> Vec<f64> {
+        let until = times.last().copied().unwrap_or(0.0);
+        let stretch = TOGETHER * TAU / pendulum.angular_frequency();
+        let mut ends = vec![0.0];
+        let mut to: f64 = 0.0;
+        while ends.len() < 2 || to < until {
+            to = until.min(to + stretch);
+            ends.push(to);
+        }
+        ends
     }
-    let apsides = track.track();
-    for (time, out) in times.iter().zip(ellipses.chunks_exact_mut(3)) {
-        out.copy_from_slice(&at(&apsides, *time));
+
+    /// Before the first of the stretches with these ends.
+    pub fn new((pendulum, rotation): (Pendulum, f64), ends: &'a [f64]) -> Self {
+        let track = ApsidesTrack::new(pendulum, rotation);
+        Self { ends, rotation, track, tension: [f64::INFINITY, f64::NEG_INFINITY], noted: f64::NEG_INFINITY }
     }
-    let (passed, azimuths): (Vec<_>, Vec<_>) = apsides.iter().map(|apsis| (apsis.time, apsis.azimuth)).unzip();
-    Ok(Followed {
-        widest: track.widest(),
-        tension,
-        quarter_turn: quarter_turn(&apsides),
-        stands_since: stands_since(&passed, &azimuths, -rotation).unwrap_or(f64::INFINITY),
-    })
+
+    /// What has to be read in the next stretch, beside the tensions at its ends; none where there is none left.
+    pub fn readings(&self) -> Option<Readings<'a>> {
+        let [from, to, ..] = *self.ends else { return None };
+        let events = &[Event::Outer, Event::Inner];
+        Some(Readings { times: &self.ends[..2], events, between: [from, to], most: usize::MAX, ..Readings::default() })
+    }
+
+    /// Notes what has been read in it.
+    pub fn note(&mut self, readings: &Readings<'_>) {
+        let Readings { found, tension, .. } = readings;
+        let seen = found.iter().flatten().map(|passage| passage.tension).chain(tension.iter().copied());
+        self.tension = seen.fold(self.tension, |[least, most], pull| [least.min(pull), most.max(pull)]);
+        // One at the very end of a stretch begins the next one too.
+        let outer = found[0].iter().filter(|passage| passage.time > self.noted);
+        let outer: Vec<_> = outer.map(|passage| (passage.time, passage.state)).collect();
+        self.noted = outer.last().map_or(self.noted, |(time, _)| *time);
+        self.track.add(&outer);
+        self.ends = &self.ends[1..];
+    }
+
+    /// What it has come to, after the last stretch; see [`follow`].
+    pub fn finish(&self, times: &[f64], ellipses: &mut [f64]) -> Followed {
+        let apsides = self.track.track();
+        for (time, out) in times.iter().zip(ellipses.chunks_exact_mut(3)) {
+            out.copy_from_slice(&at(&apsides, *time));
+        }
+        let (passed, azimuths): (Vec<_>, Vec<_>) = apsides.iter().map(|apsis| (apsis.time, apsis.azimuth)).unzip();
+        Followed {
+            widest: self.track.widest(),
+            tension: self.tension,
+            quarter_turn: quarter_turn(&apsides),
+            stands_since: stands_since(&passed, &azimuths, -self.rotation).unwrap_or(f64::INFINITY),
+        }
+    }
 }
 
 /// a, b and azimuth at a time, on the line through two turning points.
@@ -102,15 +166,16 @@ fn quarter_turn(apsides: &[Apsis]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::follow;
+    use super::{Follower, follow, follow_all};
     use crate::exact::motion::ExactMotion;
     use crate::given::drive::Drive;
     use crate::given::forces::{Forces, Thread};
     use crate::given::launch::Launch;
     use crate::given::pendulum::Pendulum;
+    use crate::real::ensemble::Case;
     use crate::real::motion::RealMotion;
     use crate::taylor::step::Ending;
-    use crate::taylor::walk::{Halt, Walk};
+    use crate::taylor::walk::{Halt, Readings, Walk};
     use std::f64::consts::FRAC_PI_2;
 
     const PENDULUM: Pendulum = Pendulum { length: 1.0, gravity: 9.81, mass: 2.0 };
@@ -152,5 +217,60 @@ mod tests {
         let swing = swing.unwrap_or_else(|e| panic!("{e:?}"));
         let found = follow(&swing, (PENDULUM, 0.0), &[0.3], &mut ellipses, &mut Walk::new(2), &|| false);
         assert!(found.is_ok() && ellipses.iter().all(|number| number.is_nan()), "{found:?} {ellipses:?}");
+    }
+
+    #[test]
+    fn side_by_side_they_are_followed_as_alone() {
+        let ground = Forces { rotation: [4e-5, 5e-5], anisotropy: 2e-3, axis: 0.4, ..Forces::default() };
+        let braked = Forces { damping: 1e-3, quadratic: 0.02, ..ground };
+        let drives =
+            [Drive::Absent, Drive::Phase { push: 2e-3, phase: 0.3 }, Drive::Radius { push: 2e-3, radius: 0.05 }];
+        let mut motions = Vec::new();
+        for k in 0..40 {
+            let size = 0.02 * f64::from(k + 1);
+            let launch = match k % 3 {
+                0 => Launch::Ellipse { a: size, b: 0.3 * size, azimuth: 0.1 },
+                1 => Launch::Ellipse { a: size, b: 0.0, azimuth: -0.7 },
+                // Some of these end, since their threads go slack.
+                _ => Launch::Angles { theta: 3.0 * size, phi: 0.2, theta_rate: 0.1, phi_rate: 0.4 },
+            };
+            let forces = [Forces::default(), ground, braked][k as usize / 2 % 3];
+            let thread = [Thread::Ends, Thread::Rod, Thread::Flies][k as usize / 5 % 3];
+            let drive = if matches!(thread, Thread::Flies) { Drive::Absent } else { drives[k as usize % 3] };
+            motions.extend(RealMotion::new(PENDULUM, launch, forces, drive, thread, 0.0));
+        }
+        assert!(motions.len() > 30);
+        let stop = || false;
+        for times in [vec![0.0, 3.0, 1300.0], vec![40.0], vec![0.0]] {
+            let alone: Vec<_> = motions
+                .iter()
+                .map(|motion| {
+                    let mut ellipses = vec![0.0; 3 * times.len()];
+                    let found = follow(motion, (PENDULUM, 5e-5), &times, &mut ellipses, &mut Walk::new(16), &stop);
+                    format!("{:?}", found.map(|found| (found, ellipses)))
+                })
+                .collect();
+            assert!(times[0] > 0.0 || alone.iter().any(|found| found.contains("Slack")) || times.len() == 1);
+            let ends = Follower::stretches(&PENDULUM, &times);
+            for at_once in [1, 5, 99] {
+                let mut pulls = vec![f64::NAN; 2 * motions.len()];
+                let mut cases = motions.iter().zip(pulls.chunks_mut(2)).enumerate().map(|(tag, (motion, tension))| {
+                    let follower = Follower::new((PENDULUM, 5e-5), &ends);
+                    let readings = Readings { tension, ..follower.readings().unwrap_or_default() };
+                    Case { tag: (follower, tag), motion, readings, walk: Walk::new(16) }
+                });
+                let mut together = vec![String::new(); motions.len()];
+                let mut done = |case: Case<'_, RealMotion, (Follower<'_>, usize)>, halted: Result<(), Halt>| {
+                    let (follower, tag) = case.tag;
+                    let mut ellipses = vec![0.0; 3 * times.len()];
+                    together[tag] =
+                        format!("{:?}", halted.map(|()| (follower.finish(&times, &mut ellipses), ellipses)));
+                };
+                follow_all(&mut cases, at_once, &mut done, &stop);
+                for (tag, (together, alone)) in together.iter().zip(&alone).enumerate() {
+                    assert_eq!(together, alone, "case {tag}, {at_once} at once, up to {times:?}");
+                }
+            }
+        }
     }
 }

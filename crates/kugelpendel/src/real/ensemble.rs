@@ -8,6 +8,7 @@ use crate::numbers::lanes::{Instructions, Lanes, PlainLanes};
 use crate::real::lanes::{Abreast, LaneStep};
 use crate::real::motion::RealMotion;
 use crate::real::sphere::FieldKind;
+use crate::taylor::events::Event;
 use crate::taylor::sweep::{Sweep, prepare};
 use crate::taylor::walk::{Halt, Readings, Stop, Walk};
 use std::collections::VecDeque;
@@ -193,9 +194,10 @@ impl<'a, L: Lanes, T> Group<'a, L, T> {
         }
         self.lanes.advance(&mut steps[..L::COUNT]);
         for (lane, place) in self.occupants.iter_mut().enumerate() {
-            let Some(Occupant { sweep: Some(sweep), complete, .. }) = place else { continue };
+            let Some(Occupant { sweep: Some(sweep), complete, turns_only, .. }) = place else { continue };
             sweep.progress.count_step();
-            *complete = sweep.touches() || sweep.progress.step().ending.is_some();
+            let may_happen = !*turns_only || self.lanes.may_turn(lane);
+            *complete = sweep.touches(may_happen) || sweep.progress.step().ending.is_some();
             if *complete {
                 self.lanes.complete(lane, sweep.progress.step_mut());
                 if let Some(over) = place.take_if(|occupant| !occupant.read()) {
@@ -216,6 +218,8 @@ struct Occupant<'a, T> {
     /// The present step has its series with it, and not in the lanes only.
     complete: bool,
     outcome: Result<(), Halt>,
+    /// No other events are looked for than turning points.
+    turns_only: bool,
 }
 
 impl<'a, T> Occupant<'a, T> {
@@ -223,7 +227,8 @@ impl<'a, T> Occupant<'a, T> {
         prepare(&mut case.readings);
         let [ahead, behind] = orders(case.readings.times);
         let sweep = Sweep::begin(case.motion, 0, ahead, &case.readings, &mut case.walk);
-        Self { case, sweep, behind: Some(behind), complete: true, outcome: Ok(()) }
+        let turns_only = case.readings.events.iter().all(|event| matches!(event, Event::Outer | Event::Inner));
+        Self { case, sweep, behind: Some(behind), complete: true, outcome: Ok(()), turns_only }
     }
 
     /// Reads what lies in the present step, and turns to the times before the launch after the others: whether there is more
@@ -251,7 +256,8 @@ impl<'a, T> Occupant<'a, T> {
         let sweep = self.sweep.as_mut()?;
         sweep.prepare_step();
         let (problem, direction) = (&self.case.motion.problem, sweep.progress.direction());
-        Some(LaneStep { problem, direction, step: sweep.progress.step_mut() })
+        let is_watched = self.turns_only && sweep.is_looking();
+        Some(LaneStep { problem, direction, step: sweep.progress.step_mut(), is_watched })
     }
 
     /// Goes on without a lane.

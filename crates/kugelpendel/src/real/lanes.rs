@@ -9,7 +9,7 @@ use crate::numbers::lanes::{Instructions, Lanes};
 use crate::real::problem::Problem;
 use crate::real::sphere::{FieldKind, SphereField, SphereTerms, lanes_that_slow_down};
 use crate::real::step::{advance_by, conclude, conclude_quietly, is_finite, longest, onto_sphere};
-use crate::taylor::events::{Beyond, Outward, lanes_that_pass};
+use crate::taylor::events::{Beyond, Outward, lanes_that_pass, lanes_that_turn};
 use crate::taylor::layout::Several;
 use crate::taylor::series::{Point, Series, in_lane};
 use crate::taylor::step::{Checkpoint, Step};
@@ -19,6 +19,8 @@ pub(crate) struct LaneStep<'a> {
     pub(crate) problem: &'a Problem,
     pub(crate) direction: f64,
     pub(crate) step: &'a mut Step,
+    /// Whether it matters that the bob turns, farthest from the axis or closest to it.
+    pub(crate) is_watched: bool,
 }
 
 /// Cases with forces of the same kind, each in its lane.
@@ -32,6 +34,8 @@ pub(crate) struct Abreast<L> {
     radius: L,
     /// Lanes, as 1 << lane, whose last step has its series with it already.
     alone: u32,
+    /// Lanes in whose last step the bob may turn, of those that are watched.
+    turning: u32,
 }
 
 impl<L: Lanes> Abreast<L> {
@@ -45,6 +49,7 @@ impl<L: Lanes> Abreast<L> {
             direction: L::same(1.0),
             radius: L::default(),
             alone: 0,
+            turning: 0,
         }
     }
 
@@ -93,12 +98,18 @@ impl<L: Lanes> Abreast<L> {
         }
     }
 
+    /// Whether the bob may turn in the last step of a lane that is watched: as [`crossings`](crate::taylor::events::crossings)
+    /// of [`Outward`] would find it.
+    pub(crate) fn may_turn(&self, lane: usize) -> bool {
+        (self.alone | self.turning) & (1 << lane) != 0
+    }
+
     #[inline(always)]
     fn advance_with(&mut self, steps: &mut [Option<LaneStep<'_>>]) {
         self.alone = 0;
         let mut together = false;
         for (lane, step) in steps.iter_mut().enumerate() {
-            let Some(LaneStep { problem, direction, step }) = step else { continue };
+            let Some(LaneStep { problem, direction, step, .. }) = step else { continue };
             if step.next.free {
                 advance_by::<L::Single, false>(problem, *direction, step);
                 self.alone |= 1 << lane;
@@ -126,11 +137,14 @@ impl<L: Lanes> Abreast<L> {
             FieldKind::Bare | FieldKind::Forced => 0,
         };
         let pushed = self.lanes_that_are_pushed(size, steps);
+        if steps.iter().flatten().any(|step| step.is_watched) {
+            self.turning = lanes_that_turn(&Outward(&self.series), size);
+        }
         let mut point: Point<[L; 3]> = self.series.at::<Several<L>>(size);
         onto_sphere::<Several<L>>(&mut point);
 
         for (lane, step) in steps.iter_mut().enumerate() {
-            let Some(LaneStep { problem, direction, step }) = step else { continue };
+            let Some(LaneStep { problem, direction, step, .. }) = step else { continue };
             if flying & (1 << lane) != 0 {
                 continue;
             }

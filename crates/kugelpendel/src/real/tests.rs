@@ -109,7 +109,7 @@ fn steps_are_those_of_one<L: Lanes>() {
                     let mut steps: [Option<LaneStep<'_>>; 8] = from_fn(|_| None);
                     for (lane, (step, slot)) in together.iter_mut().zip(&mut steps).enumerate() {
                         let problem = &chosen[lane].problem;
-                        *slot = goes(lane, step).then_some(LaneStep { problem, direction, step });
+                        *slot = goes(lane, step).then_some(LaneStep { problem, direction, step, is_watched: false });
                     }
                     let went: Vec<bool> = steps.iter().map(Option::is_some).collect();
                     lanes.advance(&mut steps[..L::COUNT]);

@@ -270,6 +270,21 @@ pub(crate) fn first_passages<L: Lanes>(function: &impl StepFunction<Several<L>>,
     found
 }
 
+/// Marks the lanes, 1 << lane, in which [`crossings`] finds a time, upwards or downwards.
+#[inline(always)]
+pub(crate) fn lanes_that_turn<L: Lanes>(function: &impl StepFunction<Several<L>>, end: L) -> u32 {
+    let mut found = 0;
+    let mut before = function.value_at(L::default());
+    for piece in 1..=PIECES {
+        let after = function.value_at(end * L::same(share(piece)));
+        for (lane, (before, after)) in before.numbers().iter().zip(after.numbers()).enumerate() {
+            found |= u32::from(passes(*before, *after) | passes(-*before, -*after)) << lane;
+        }
+        before = after;
+    }
+    found
+}
+
 /// Marks the lanes, 1 << lane, in which [`first`] finds a time.
 #[inline(always)]
 pub(crate) fn lanes_that_pass<L: Lanes>(function: &impl StepFunction<Several<L>>, end: L, upwards: bool) -> u32 {

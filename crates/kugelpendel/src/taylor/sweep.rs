@@ -78,9 +78,15 @@ impl<O: Iterator<Item = usize>> Sweep<O> {
         Some(Self { progress, order, next, looking, between, is_first: true })
     }
 
-    /// Whether something may be read in the present step.
-    pub(crate) fn touches(&self) -> bool {
-        self.looking || self.next.is_some_and(|(_, time)| self.covers(time))
+    /// Whether something may be read in the present step, in which events may happen or not.
+    pub(crate) fn touches(&self, may_happen: bool) -> bool {
+        let looking = self.looking && (may_happen || self.is_first || self.covers(self.between[1]));
+        looking || self.next.is_some_and(|(_, time)| self.covers(time))
+    }
+
+    /// Whether events are looked for in the present step.
+    pub(crate) fn is_looking(&self) -> bool {
+        self.looking
     }
 
     fn covers(&self, time: Pair) -> bool {
