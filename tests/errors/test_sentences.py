@@ -191,6 +191,13 @@ def test_numbers_are_written_in_full_where_the_exact_motion_takes_them_so() -> N
         assert f"but it is {text} m;" in str(error)
 
 
+def test_only_what_is_wrong_is_said_by_its_spoken_name() -> None:
+    with pytest.raises(kp.InvalidInput, match=r"^The launch's a must be a number"):
+        kp.Launch.ellipse("1 m", 0.0)  # pyright: ignore[reportArgumentType]
+    with pytest.raises(kp.InvalidInput, match=r"^launch\.csv cannot be read: "):
+        kp.tracks.read("launch.csv")
+
+
 @pytest.mark.parametrize(
     ("language", "said"),
     [

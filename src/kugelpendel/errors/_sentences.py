@@ -42,7 +42,8 @@ def sentence(kind: str, values: Sequence[Seen], language: Language, door: Door) 
     entry = tables["kinds"][kind]
     filled: dict[str, Any] = {}
     for seen in reversed(values):
-        value = _spoken(seen.value, tables) if isinstance(seen.value, str) else _Number(seen.value)
+        value = seen.value
+        value = _spoken(seen.name, value, tables) if isinstance(value, str) else _Number(value)
         filled |= {"name": seen.name, "value": value, "unit": seen.unit}
         filled[seen.name.replace(".", "_")] = value
     if values:
@@ -50,12 +51,14 @@ def sentence(kind: str, values: Sequence[Seen], language: Language, door: Door) 
     return " ".join(entry.get(door, entry["python"]).format_map(filled).split())
 
 
-def _spoken(text: str, tables: dict[str, Any]) -> str:
-    """The spoken name where the text is that of a quantity."""
+def _spoken(name: str, text: str, tables: dict[str, Any]) -> str:
+    """The spoken name where the text is that of a quantity, and no file of such a name."""
+    if name != "what":
+        return text
     if text in tables["quantities"]:
         return tables["quantities"][text]["name"]
-    part, _, name = text.partition(".")
-    return tables["launch"].format(name=name) if part == "launch" and name else text
+    part, _, component = text.partition(".")
+    return tables["launch"].format(name=component) if part == "launch" and component else text
 
 
 def _quantity(tables: dict[str, Any], seen: Seen, door: Door) -> dict[str, str]:
