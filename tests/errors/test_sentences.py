@@ -5,6 +5,7 @@ import re
 import string
 from typing import Any, get_args
 
+import numpy as np
 import pytest
 
 import kugelpendel as kp
@@ -196,6 +197,13 @@ def test_only_what_is_wrong_is_said_by_its_spoken_name() -> None:
         kp.Launch.ellipse("1 m", 0.0)  # pyright: ignore[reportArgumentType]
     with pytest.raises(kp.InvalidInput, match=r"^launch\.csv cannot be read: "):
         kp.tracks.read("launch.csv")
+
+
+def test_a_sentence_is_one_line_and_names_stay_as_they_are() -> None:
+    with pytest.raises(kp.InvalidInput, match=r"^two  blanks\.csv cannot be read: "):
+        kp.tracks.read("two  blanks.csv")
+    with pytest.raises(kp.InvalidInput, match=r"but it is array\(\[\['a'\], \['b'\]\]"):
+        kp.Pendulum(np.array([["a"], ["b"]]))  # pyright: ignore[reportArgumentType, reportCallIssue]
 
 
 @pytest.mark.parametrize(

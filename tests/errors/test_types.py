@@ -6,7 +6,7 @@ import pickle
 import pytest
 
 import kugelpendel as kp
-from kugelpendel.errors import KugelpendelError, Seen
+from kugelpendel.errors import FileLine, KugelpendelError, Seen
 
 LOOP = kp.Launch.plane(0.3, 0.0, 5.6, 0.1)
 """Over the support's level of a pendulum of 1 m, but not round."""
@@ -24,7 +24,10 @@ SEVERAL = [
 def test_copies_say_the_same(error: KugelpendelError) -> None:
     placed = error.at("job.toml: ").at("again, ")
     assert str(placed) == f"again, job.toml: {error}"
-    for one in (error, placed):
+    in_a_file = error.at(FileLine("job.toml", 6))
+    assert str(in_a_file) == f"job.toml, line 6: {error}"
+    assert in_a_file.sentence("de") == f"job.toml, Zeile 6: {error.sentence('de')}"
+    for one in (error, placed, in_a_file):
         for again in (copy.copy(one), copy.deepcopy(one), pickle.loads(pickle.dumps(one))):
             assert type(again) is type(one)
             assert str(again) == str(one)

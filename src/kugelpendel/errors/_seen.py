@@ -29,3 +29,23 @@ class Seen(NamedTuple):
     name: str
     value: float | str
     unit: str = ""
+
+
+class FileLine(NamedTuple):
+    """The line of a file in which something is wrong.
+
+    Attributes
+    ----------
+    file
+        The name of the file.
+    number
+        Of the line, counted from 1.
+    """
+
+    file: str
+    number: int
+
+    def said(self, language: Language) -> str:
+        """In front of a sentence: "job.toml, line 6: "."""
+        word = {"en": "line", "de": "Zeile"}[language]
+        return f"{self.file}, {word} {self.number}: "

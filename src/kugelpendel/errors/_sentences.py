@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Sequence
 from functools import cache
@@ -16,6 +17,8 @@ _EXACT = ("pendulum", "")
 
 What acts on a real pendulum is shown to six digits.
 """
+
+_BREAK = re.compile(r"\s*\n\s*")
 
 
 class _Number(float):
@@ -44,15 +47,22 @@ def sentence(kind: str, values: Sequence[Seen], language: Language, door: Door) 
     for seen in reversed(values):
         value = seen.value
         value = _spoken(seen.name, value, tables) if isinstance(value, str) else _Number(value)
-        filled |= {"name": seen.name, "value": value, "unit": seen.unit}
         filled[seen.name.replace(".", "_")] = value
     if values:
-        filled |= _quantity(tables, values[0], door)
-    return " ".join(entry.get(door, entry["python"]).format_map(filled).split())
+        first = values[0]
+        shown = filled[first.name.replace(".", "_")]
+        filled = {"name": first.name, "value": shown, "unit": first.unit, **filled}
+        filled |= _quantity(tables, first, door)
+    return entry.get(door, entry["python"]).format_map(filled)
 
 
 def _spoken(name: str, text: str, tables: dict[str, Any]) -> str:
-    """The spoken name where the text is that of a quantity, and no file of such a name."""
+    """What is said for a text, in one line: by its name an aside, a word, or a quantity."""
+    text = _BREAK.sub(" ", text)
+    if name in tables["asides"]:
+        return tables["asides"][name].format(text) if text else ""
+    if name in tables["words"]:
+        return tables["words"][name][text]
     if name != "what":
         return text
     if text in tables["quantities"]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Self
 
-from kugelpendel.errors._seen import Door, Language, Seen, Told
+from kugelpendel.errors._seen import Door, FileLine, Language, Seen, Told
 
 
 class KugelpendelError(Exception):
@@ -21,7 +21,7 @@ class KugelpendelError(Exception):
     values
         What was seen.
     place
-        Where, in front of the sentence, such as "job.toml: ".
+        Where, in front of the sentence, such as "job.toml: ", from the outermost on.
     """
 
     def __init__(
@@ -30,7 +30,7 @@ class KugelpendelError(Exception):
         *,
         kind: str = "",
         values: Sequence[Seen] = (),
-        place: str = "",
+        place: tuple[str | FileLine, ...] = (),
     ):
         super().__init__(sentence)
         self.kind = kind
@@ -62,17 +62,18 @@ class KugelpendelError(Exception):
         door
             "python" for a way out in Python, "file" for one in a job file.
         """
+        place = "".join(p if isinstance(p, str) else p.said(language) for p in self.place)
         if not self.kind:
-            return f"{self.place}{self.args[0]}"
+            return f"{place}{self.args[0]}"
         # Read with the first error only: most programs never need a sentence.
         from kugelpendel.errors._sentences import sentence
 
-        return f"{self.place}{sentence(self.kind, self.values, language, door)}"
+        return f"{place}{sentence(self.kind, self.values, language, door)}"
 
-    def at(self, place: str) -> Self:
+    def at(self, place: str | FileLine) -> Self:
         """The same error with its place in front of the sentence, such as "job.toml: "."""
         again = type(self)(
-            *self.args, kind=self.kind, values=self.values, place=f"{place}{self.place}"
+            *self.args, kind=self.kind, values=self.values, place=(place, *self.place)
         )
         again.__dict__.update({**self.__dict__, "place": again.place})
         return again

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from kugelpendel import InvalidInput, KugelpendelError
 from kugelpendel.cli.job_file.entries import Mistake
 from kugelpendel.cli.job_file.schema_text import example
+from kugelpendel.errors import FileLine
 
 if TYPE_CHECKING:
     from collections.abc import Generator
@@ -48,7 +49,7 @@ class JobDocument:
             yield
         except KugelpendelError as error:
             line = self._line(error)
-            raise error.at(f"{self.path}, line {line}: " if line else f"{self.path}: ") from error
+            raise error.at(FileLine(str(self.path), line) if line else f"{self.path}: ") from error
 
     def _line(self, error: KugelpendelError) -> int | None:
         """Where the mistake stands: that of the table and key, or of the value that was seen."""

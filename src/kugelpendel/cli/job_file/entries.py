@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Generator, Iterable, Mapping
 
     from kugelpendel.cli.job_file.schema import FileSchema, Section
-    from kugelpendel.errors import Door, Language
+    from kugelpendel.errors import Door, FileLine, Language
 
 
 class Mistake(InvalidInput):
@@ -40,7 +40,7 @@ class Mistake(InvalidInput):
         key: str = "",
         *,
         cause: InvalidInput | None = None,
-        place: str = "",
+        place: tuple[str | FileLine, ...] = (),
     ) -> None:
         super().__init__(said, place=place)
         self.section = section
@@ -53,12 +53,13 @@ class Mistake(InvalidInput):
             return super().sentence(language, door)
         said = self.cause.sentence(language, door)
         table = f"[{self.section}] "
-        return f"{self.place}{said if table in said else table + said}"
+        place = InvalidInput(place=self.place).sentence(language)
+        return f"{place}{said if table in said else table + said}"
 
-    def at(self, place: str) -> Mistake:
+    def at(self, place: str | FileLine) -> Mistake:
         """The same with its place in front of the sentence."""
         return Mistake(
-            self.args[0], self.section, self.key, cause=self.cause, place=f"{place}{self.place}"
+            self.args[0], self.section, self.key, cause=self.cause, place=(place, *self.place)
         )
 
 
