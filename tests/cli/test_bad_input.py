@@ -86,7 +86,7 @@ SENTENCES: list[tuple[str, dict[str, dict[str, Any]], list[str]]] = [
     ("negative duration", {"output": {"duration": -1}}, ["duration = -1", '"10 min"']),
     ("step in metres", {"output": {"step": "1 m"}}, ["not a time"]),
     ("step beyond the end", {"output": {"step": "1 h"}}, ["3600 s", "10 s", "shorter step"]),
-    ("step and samples", {"output": {"samples": 5}}, ["both step and samples", "one of them"]),
+    ("step and samples", {"output": {"samples": 5}}, ["more than once: step, samples; give"]),
     ("no step", {"output": {"step": None}}, ["neither step nor samples", "samples = 1000"]),
     ("one sample", {"output": {"step": None, "samples": 1}}, ["samples = 1 ", "at least 2"]),
     ("half a sample", {"output": {"step": None, "samples": 2.5}}, ["samples = 2.5", "whole"]),
@@ -98,7 +98,7 @@ SENTENCES: list[tuple[str, dict[str, dict[str, Any]], list[str]]] = [
     ("latitude beyond a pole", {"site": {"latitude": "95 deg"}}, ['"95 deg" lies beyond a pole']),
     ("latitude in metres", {"site": {"latitude": "48 m"}}, ["is not an angle", '"30 deg"']),
     ("negative drag", {"drag": {"linear": "-1e-5 1/s"}}, ["The linear drag", "-1e-05 1/s"]),
-    ("drag said twice", {"drag": {"quality": 800, "half_life": "1 h"}}, ["quality and half_life"]),
+    ("drag said twice", {"drag": {"quality": 800, "half_life": "1 h"}}, ["quality, half_life"]),
     ("drag in metres", {"drag": {"linear": "1 m"}}, ["is not a decay rate", "1e-5 1/s"]),
     ("unknown key of a site", {"site": {"lattitude": 1}}, ["lattitude", "did you mean latitude?"]),
     ("unknown key of a drive", {"drive": {"pusch": 1}}, ["pusch", "did you mean push?"]),
@@ -176,7 +176,7 @@ def test_missing_file_names_its_neighbours(call, write) -> None:
 
 
 def test_folder_in_place_of_a_file(call, tmp_path: Path) -> None:
-    _is_refused(call("run", tmp_path), [str(tmp_path), "is a folder"])
+    _is_refused(call("run", tmp_path), [f"kugelpendel: {tmp_path} is a folder; name a job file"])
 
 
 def test_name_that_is_too_long(call) -> None:

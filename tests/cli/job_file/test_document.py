@@ -71,7 +71,7 @@ def test_other_ways_to_write_a_table(text: str, line: int) -> None:
         ({"launch": {"a": "3 kg"}}, "job.toml, line 6: [launch] a"),
         ({"pendulum": {"lenght": 1}}, "job.toml, line 4: [pendulum] lenght"),
         ({"launch": {"b": None}}, "job.toml, line 4: [launch] b is missing"),
-        ({"output": {"samples": 5}}, "job.toml, line 12: [output] has both"),
+        ({"output": {"samples": 5}}, "job.toml, line 12: [output] says one thing more than once: "),
         ({"drag": {"quality": 0}}, "job.toml, line 13: [drag] The quality factor"),
         ({"sight": {"x": 1}}, "job.toml, line 12: [sight] is not known"),
         ({"pendulum": {"length": -1}}, "job.toml, line 2: [pendulum] The pendulum"),
@@ -88,7 +88,7 @@ def test_a_mistake_names_its_line(call, write, changes: dict, place: str) -> Non
     [
         (
             "length = 0,2",
-            "line 2, length = 0,2, has a decimal comma outside quotes; write",
+            "line 2: length = 0,2 has a decimal comma outside quotes; write",
         ),
         ("length = 67,5 m", 'write length = "67,5 m", with the unit, or a point: length = 67.5 m.'),
         ("length = -0,2 # metres", 'length = "-0,2", with the unit, or a point: length = -0.2.'),

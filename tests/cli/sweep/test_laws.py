@@ -19,7 +19,6 @@ from kugelpendel.sweeps import Listed, Normal, Spaced, Uniform
         ('{ from = "0 cm", to = "1 m" }', Spaced(0.0, 1.0)),
         ('{ normal = ["1 m", "2 mm"] }', Normal(1.0, 0.002)),
         ("{ uniform = [0, 0.5] }", Uniform(0.0, 0.5)),
-        ("[]", Listed(())),
     ],
 )
 def test_read(text: str, law: object) -> None:
@@ -38,7 +37,8 @@ def test_numbers_without_a_unit() -> None:
         ('["1 cm", 2]', '[launch] a has "1 cm" with a unit and 2 without one; write the unit of'),
         ('{ from = "1 cm", to = "1 s" }', '[launch] a = "1 s" is not a length; write a length'),
         ('{ from = "1 cm" }', "[launch] a has from, which does not say how it varies; write a li"),
-        ("{ }", "[launch] a has nothing in it, which does not say how it varies; write a list"),
+        ("[]", "The list of [launch] a is empty; give it a value or more."),
+        ("{ }", "[launch] a has { }, which does not say how it varies; write a list"),
         ('{ gauss = ["1 cm", "1 mm"] }', "[launch] a has gauss, which does not say how it vari"),
         ('{ from = "1 cm", to = "2 cm", steps = 5 }', "[launch] a has an unknown key steps; a r"),
         ('{ from = "1 cm", to = "2 cm", cuont = 5 }', "[launch] a has an unknown key cuont (did"),

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Generator
 
     from kugelpendel.cli.job_file.schema import FileSchema
+    from kugelpendel.errors import Door, Language
 
 STANDARD_INPUT = Path("-")
 """What is named to read the file from there."""
@@ -82,9 +83,9 @@ def read_document(path: Path, schema: FileSchema) -> JobDocument:
     try:
         tables = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise InvalidInput(f"{name} is not valid TOML: {_explained(error, text)}") from error
+        raise _explained(error, name, text) from error
     if not tables:
-        raise InvalidInput(f"{name} is empty. A job looks like this:\n\n{example(schema)}")
+        raise _Empty.followed_by(example(schema), name)
     return JobDocument(name, text, tables)
 
 
@@ -124,55 +125,74 @@ def _is_toml(text: str) -> bool:
     return True
 
 
-def _explained(error: Exception, text: str) -> str:
-    """What the reader of TOML says, and what is meant where one can tell."""
+def _explained(error: Exception, file: Path, text: str) -> InvalidInput:
+    """What the reader of TOML says, or what is meant where one can tell."""
     place = re.search(r"at line (\d+)", str(error))
     if place is not None:
         line = text.split("\n")[int(place[1]) - 1].strip()
         comma = re.fullmatch(r"([\w\"'.-]+)\s*=\s*([+-]?\d+,\d[^#]*?)\s*(?:#.*)?", line)
         if comma is not None:
-            return (
-                f"line {place[1]}, {line}, has a decimal comma outside quotes; write "
-                f'{comma[1]} = "{comma[2]}", with the unit, or a point: {comma[1]} = '
-                f"{comma[2].replace(',', '.')}."
+            mistake = InvalidInput.of(
+                "file_comma",
+                seen=line,
+                key=comma[1],
+                number=comma[2],
+                point=comma[2].replace(",", "."),
             )
-    return f'{error}. A value is a number or stands in quotes: length = "67 m".'
+            return mistake.at(FileLine(str(file), int(place[1])))
+    return InvalidInput.of("file_no_toml", file=str(file), said=str(error))
+
+
+class _Empty(InvalidInput):
+    """A file with nothing in it, whose sentence is followed by an example."""
+
+    example = ""
+
+    @classmethod
+    def followed_by(cls, example: str, file: Path) -> _Empty:
+        """That of a file, with the example."""
+        empty = cls.of("file_empty", file=str(file))
+        empty.example = example
+        return empty
+
+    def sentence(self, language: Language = "en", door: Door = "file") -> str:
+        """That it is empty, and what it may look like."""
+        return f"{super().sentence(language, door)}\n\n{self.example}"
 
 
 def _from_stdin() -> tuple[bytes, Path]:
     if sys.stdin is None or sys.stdin.closed:
-        raise InvalidInput("standard input is closed; name a job file instead of -.")
+        raise InvalidInput.of("file_stdin_closed")
     try:
         return sys.stdin.buffer.read(_LARGEST + 1), Path("stdin")
     except OSError as error:
-        raise InvalidInput(f"standard input cannot be read: {error.strerror or error}.") from error
+        said = error.strerror or str(error)
+        raise InvalidInput.of("file_stdin_unread", said=said) from error
 
 
 def _content(path: Path) -> bytes:
     try:
-        if path.is_dir():
-            raise InvalidInput(f"{path} is a folder; name a job file, such as {path}/job.toml.")
         with path.open("rb") as file:
             return file.read(_LARGEST + 1)
     except FileNotFoundError as error:
-        raise InvalidInput(f"{path} does not exist{_neighbours(path)}.") from error
+        beside = _neighbours(path)
+        raise InvalidInput.of("file_missing", file=str(path), beside=beside) from error
+    except IsADirectoryError as error:
+        raise InvalidInput.of("file_is_folder", file=str(path)) from error
     except (OSError, ValueError) as error:  # a name with a zero in it is a ValueError
-        said = getattr(error, "strerror", None) or error
-        raise InvalidInput(f"{path} cannot be read: {said}.") from error
+        said = getattr(error, "strerror", None) or str(error)
+        raise InvalidInput.of("file_unread", file=str(path), said=said) from error
 
 
 def _decoded(content: bytes, name: Path) -> str:
     if len(content) > _LARGEST:
-        raise InvalidInput(
-            f"{name} is larger than {_LARGEST // 1024} KiB, and a job has a few hundred bytes; "
-            "is this the right file?"
-        )
+        raise InvalidInput.of("file_large", file=str(name), most=_LARGEST // 1024)
     try:
         return content.decode("utf-8-sig").replace("\r\n", "\n")
     except UnicodeDecodeError as error:
-        raise InvalidInput(
-            f"{name} is not UTF-8 text (byte 0x{content[error.start]:02x} at position "
-            f"{error.start}); save it as UTF-8."
+        byte = f"{content[error.start]:02x}"
+        raise InvalidInput.of(
+            "file_encoding", file=str(name), byte=byte, position=error.start
         ) from error
 
 
@@ -181,5 +201,4 @@ def _neighbours(path: Path) -> str:
         found = sorted(file.name for file in path.parent.glob("*.toml"))
     except OSError:
         found = []
-    shown = ", ".join(found[:6]) + (", …" if len(found) > 6 else "")
-    return f"; that folder has {shown}" if found else ""
+    return ", ".join(found[:6]) + (", …" if len(found) > 6 else "")

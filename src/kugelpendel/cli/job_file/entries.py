@@ -17,50 +17,37 @@ if TYPE_CHECKING:
     from collections.abc import Generator, Iterable, Mapping
 
     from kugelpendel.cli.job_file.schema import FileSchema, Section
-    from kugelpendel.errors import Door, FileLine, Language
+    from kugelpendel.errors import Door, Language
 
 
 class Mistake(InvalidInput):
-    """Something wrong in a file.
+    """Something wrong in a file, said to who writes it unless asked otherwise.
 
-    Parameters
+    Attributes
     ----------
-    said
-        The sentence; empty for that of the cause, with the table in front of it.
     section, key
         Where it stands; empty for nowhere.
-    cause
-        What a parameter refuses.
     """
 
-    def __init__(
-        self,
-        said: str = "",
-        section: str = "",
-        key: str = "",
-        *,
-        cause: InvalidInput | None = None,
-        place: tuple[str | FileLine, ...] = (),
-    ) -> None:
-        super().__init__(said, place=place)
-        self.section = section
-        self.key = key
-        self.cause = cause
+    section = ""
+    key = ""
+
+    @classmethod
+    def placed(cls, what: InvalidInput, section: str, key: str = "") -> Mistake:
+        """What is wrong, with its place in the file."""
+        mistake = cls(*what.args, kind=what.kind, values=what.values, place=what.place)
+        mistake.section, mistake.key = section, key
+        return mistake
+
+    @classmethod
+    def in_table(cls, what: InvalidInput, section: str, key: str = "") -> Mistake:
+        """The same, with the table in front of a sentence that does not name it."""
+        table = f"[{section}] "
+        return cls.placed(what if table in str(what) else what.at(table), section, key)
 
     def sentence(self, language: Language = "en", door: Door = "file") -> str:
         """What was wrong, the value seen, and the way out in a file."""
-        if self.cause is None:
-            return super().sentence(language, door)
-        said = self.cause.sentence(language, door)
-        table = f"[{self.section}] "
-        place = InvalidInput(place=self.place).sentence(language)
-        return f"{place}{said if table in said else table + said}"
-
-    def at(self, place: str | FileLine) -> Mistake:
-        """The same with its place in front of the sentence."""
-        return Mistake(
-            self.args[0], self.section, self.key, cause=self.cause, place=(place, *self.place)
-        )
+        return super().sentence(language, door)
 
 
 @dataclass(frozen=True)
@@ -80,35 +67,37 @@ class Entries:
     def check(self) -> None:
         """Refuse keys that do not belong here, and those that say the same thing twice."""
         allowed = [key.name for key in self.section.keys]
-        owner = ""
+        of = ""
         if self.section.ways:
             kind = self.word("kind")
             way = next(way for way in self.section.ways if way.word == kind)
-            allowed, owner = ["kind", *way.keys], f' for kind = "{kind}"'
+            allowed, of = ["kind", *way.keys], kind
         for key in self.values:
             if key not in allowed:
-                raise Mistake(
-                    f"{self.where(key)} is not known{owner}{did_you_mean(key, allowed)}; "
-                    f"allowed are {', '.join(allowed)}.",
-                    self.section.name,
-                    key,
-                )
+                meant = closest(key, allowed)
+                self.refuse("file_key", key, of=of, meant=meant, allowed=", ".join(allowed))
         options = [option for option in self.section.one_of if any(key in self for key in option)]
         if len(options) > 1:
             given = [key for option in options for key in option if key in self]
-            every = ", ".join(" and ".join(option) for option in self.section.one_of)
-            raise Mistake(
-                f"[{self.section.name}] has both {' and '.join(given)}, which say the same thing; "
-                f"give one of them: {every}.",
-                self.section.name,
+            self.refuse(
+                "file_twice",
                 given[-1],
+                table=self.section.name,
+                given=", ".join(given),
+                options=", ".join(" + ".join(option) for option in self.section.one_of),
             )
 
-    def refuse(self, key: str, rest: str) -> NoReturn:
-        """Refuse a value: "[table] key = value", and the rest of the sentence."""
-        raise Mistake(
-            f"{self.where(key)} = {show(self.values.get(key))}{rest}", self.section.name, key
-        )
+    def refuse(self, kind: str, key: str, **values: str) -> NoReturn:
+        """Refuse a key or its value, which the sentence of the kind has as ``where`` and ``seen``.
+
+        Raises
+        ------
+        Mistake
+            In any case.
+        """
+        seen = show(self.values.get(key))
+        what = InvalidInput.of(kind, where=self.where(key), seen=seen, key=key, **values)
+        raise Mistake.placed(what, self.section.name, key)
 
     def number(self, key: str, default: float | None = None) -> float:
         """A number in SI: that of the file, or the default given here, or that of the schema."""
@@ -128,7 +117,7 @@ class Entries:
         assert isinstance(holds, Number)
         value = self.values[key]
         if not isinstance(value, (int, float)) or isinstance(value, bool):
-            self.refuse(key, f" is not a plain number; write {key} = {holds.example:g}.")
+            self.refuse("file_plain", key, example=f"{holds.example:g}")
         return float(value)
 
     def vector(self, key: str) -> tuple[float, float, float]:
@@ -139,8 +128,7 @@ class Entries:
         if value is None:
             self._missing(key)
         if not isinstance(value, list) or len(cast("list[object]", value)) != 3:
-            pasted = value_to_paste(self.section.key(key))
-            self.refuse(key, f" does not have three components; write {key} = {pasted}.")
+            self.refuse("file_components", key, example=value_to_paste(self.section.key(key)))
         with self.at(key):
             x, y, z = (
                 read_quantity(component, holds.kind, f"{self.where(key)}[{axis}]")
@@ -156,19 +144,16 @@ class Entries:
         value: object = self.values.get(key, declared.default)
         listed = ", ".join(f'"{word}"' for word in words)
         if value is None:
-            raise Mistake(
-                f"{self.where(key)} is missing; write one of {listed}.", self.section.name
-            )
+            self.refuse("file_word_missing", key, allowed=listed)
         if not isinstance(value, str) or value not in words:
-            meant = did_you_mean(str(value), words)
-            self.refuse(key, f" is not known{meant}; allowed are {listed}.")
+            self.refuse("file_word", key, meant=closest(str(value), words), allowed=listed)
         return value
 
     def truth(self, key: str) -> bool:
         """``true`` or ``false``."""
         value: object = self.values.get(key, self.section.key(key).default)
         if not isinstance(value, bool):
-            self.refuse(key, ": write true or false.")
+            self.refuse("file_truth", key)
         return value
 
     @contextmanager
@@ -180,41 +165,39 @@ class Entries:
             raise
         except InvalidInput as error:
             if key:
-                raise Mistake(str(error), self.section.name, key) from error
+                raise Mistake.placed(error, self.section.name, key) from error
             # Its values have names such as drag.linear, or those of the launch alone.
             names = (seen.name.rpartition(".")[2] for seen in error.values)
             key = next((name for name in names if name in self), "")
-            raise Mistake("", self.section.name, key, cause=error) from error
+            raise Mistake.in_table(error, self.section.name, key) from error
 
     def _missing(self, key: str) -> NoReturn:
-        pasted = value_to_paste(self.section.key(key))
-        raise Mistake(f"{self.where(key)} is missing; write {key} = {pasted}.", self.section.name)
+        self.refuse("file_key_missing", key, example=value_to_paste(self.section.key(key)))
 
 
-def did_you_mean(word: str, allowed: Iterable[str]) -> str:
-    """A question that names the closest allowed word, or nothing."""
+def closest(word: str, allowed: Iterable[str]) -> str:
+    """The allowed word that may have been meant, or nothing."""
     close = get_close_matches(word.lower(), list(allowed), n=1, cutoff=0.6)
-    return f" (did you mean {close[0]}?)" if close else ""
+    return close[0] if close else ""
 
 
 def take_apart(tables: Mapping[str, Any], schema: FileSchema) -> dict[str, Entries]:
     """Take a file apart into its tables, all of them checked; those that it has not are empty."""
     possible = [section.name for section in schema.sections]
     wanted = [section.name for section in schema.sections if section.needed]
-    allowed, listed = (", ".join(f"[{name}]" for name in names) for names in (possible, wanted))
+    allowed, needed = (", ".join(f"[{name}]" for name in names) for names in (possible, wanted))
     for name, entries in tables.items():
         if name not in possible:
             shown = f"[{name}]" if isinstance(entries, dict) else f"{name} = {show(entries)}"
-            raise Mistake(
-                f"{shown} is not known{did_you_mean(name, possible)}; a job has the tables "
-                f"{allowed}, and every key stands in one of them.",
-                name,
-            )
+            meant = closest(name, possible)
+            what = InvalidInput.of("file_table", seen=shown, meant=meant, allowed=allowed)
+            raise Mistake.placed(what, name)
         if not isinstance(entries, dict):
-            raise Mistake(f"{name} = {show(entries)} should be a table: write [{name}].", name)
+            what = InvalidInput.of("file_no_table", table=name, seen=show(entries))
+            raise Mistake.placed(what, name)
     for name in wanted:
         if name not in tables:
-            raise Mistake(f"the table [{name}] is missing; a job has {listed}.")
+            raise InvalidInput.of("file_table_missing", table=name, needed=needed)
     found = {
         section.name: Entries(section, cast("dict[str, Any]", tables.get(section.name, {})))
         for section in schema.sections

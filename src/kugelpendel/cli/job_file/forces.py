@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 import kugelpendel as kp
 from kugelpendel.cli.job_file import schema
-from kugelpendel.cli.job_file.entries import Mistake
 from kugelpendel.parameters import FORCE_PARTS
 
 if TYPE_CHECKING:
@@ -69,11 +68,7 @@ def _pendulum(table: Entries, site: kp.Site | None, bob: kp.Bob | None) -> kp.Pe
 def _site(table: Entries) -> kp.Site:
     latitude = table.number("latitude")
     if abs(latitude) > math.pi / 2:
-        table.refuse(
-            "latitude",
-            ' lies beyond a pole; write a latitude from "-90 deg" to "90 deg", such as '
-            '"48.85 deg", positive in the north.',
-        )
+        table.refuse("file_beyond_pole", "latitude")
     with table.at():
         return kp.Site(
             latitude=latitude, gravity=table.given("gravity"), height=table.number("height")
@@ -84,11 +79,7 @@ def _drag(table: Entries, pendulum: kp.Pendulum, bob: kp.Bob | None) -> kp.Drag:
     if table.truth("from_bob"):
         return _drag_from_bob(table, pendulum, bob)
     if "thread_diameter" in table:
-        raise Mistake(
-            f"{table.where('thread_diameter')} goes with from_bob = true only.",
-            "drag",
-            "thread_diameter",
-        )
+        table.refuse("file_thread_alone", "thread_diameter")
     with table.at():
         if (quality := table.given("quality")) is not None:
             drag = kp.Drag.from_quality(quality, pendulum)
@@ -101,18 +92,9 @@ def _drag(table: Entries, pendulum: kp.Pendulum, bob: kp.Bob | None) -> kp.Drag:
 
 def _drag_from_bob(table: Entries, pendulum: kp.Pendulum, bob: kp.Bob | None) -> kp.Drag:
     if bob is None:
-        raise Mistake(
-            f"{table.where('from_bob')} = true needs a table [bob] with radius and density.",
-            "drag",
-            "from_bob",
-        )
+        table.refuse("file_no_bob", "from_bob")
     if "quadratic" in table:
-        raise Mistake(
-            f"{table.where('quadratic')} does not go with from_bob = true, which says both the "
-            "linear and the quadratic drag; leave one of them out.",
-            "drag",
-            "quadratic",
-        )
+        table.refuse("file_quadratic_twice", "quadratic")
     with table.at():
         return kp.Drag.from_bob(bob, pendulum, thread_diameter=table.number("thread_diameter"))
 

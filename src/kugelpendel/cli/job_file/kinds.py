@@ -13,7 +13,7 @@ class Kind:
     Attributes
     ----------
     name
-        As a sentence calls it.
+        The word by which sentences call it (``words.measure`` of their files).
     unit
         The SI unit that it is turned into.
     example
@@ -28,18 +28,18 @@ class Kind:
     most: float = math.inf
 
 
-LENGTH = Kind("a length", "m", "3 cm")
-TIME = Kind("a time", "s", "10 min")
-MASS = Kind("a mass", "kg", "28 kg")
-ACCELERATION = Kind("an acceleration", "m/s^2", "9.81 m/s^2")
-SPEED = Kind("a speed", "m/s", "5 cm/s")
-ANGLE = Kind("an angle", "rad", "30 deg", 2 * math.pi * (1 + 1e-15))
+LENGTH = Kind("length", "m", "3 cm")
+TIME = Kind("time", "s", "10 min")
+MASS = Kind("mass", "kg", "28 kg")
+ACCELERATION = Kind("acceleration", "m/s^2", "9.81 m/s^2")
+SPEED = Kind("speed", "m/s", "5 cm/s")
+ANGLE = Kind("angle", "rad", "30 deg", 2 * math.pi * (1 + 1e-15))
 """Up to a full turn to either side, so that 45 for 45° is not taken for 45 rad."""
-LATITUDE = Kind("an angle", "rad", "30 deg")
+LATITUDE = Kind("angle", "rad", "30 deg")
 """An angle that may also end in N or S; how far it goes, the site knows."""
-RATE = Kind("an angular velocity", "rad/s", "30 deg/s")
-DENSITY = Kind("a density", "kg/m^3", "8500 kg/m^3")
-DECAY = Kind("a decay rate", "1/s", "1e-5 1/s")
-QUADRATIC = Kind("a quadratic drag", "1/m", "1e-3 1/m")
-PRESSURE = Kind("a pressure", "Pa", "200 GPa")
-EXPANSION = Kind("an expansion", "1/K", "1.2e-5 1/K")
+RATE = Kind("angular velocity", "rad/s", "30 deg/s")
+DENSITY = Kind("density", "kg/m^3", "8500 kg/m^3")
+DECAY = Kind("decay rate", "1/s", "1e-5 1/s")
+QUADRATIC = Kind("quadratic drag", "1/m", "1e-3 1/m")
+PRESSURE = Kind("pressure", "Pa", "200 GPa")
+EXPANSION = Kind("expansion", "1/K", "1.2e-5 1/K")

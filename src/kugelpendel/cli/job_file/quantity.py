@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import dataclass
 from decimal import Decimal
 from typing import NoReturn
 
@@ -59,17 +60,18 @@ def read_quantity(value: object, kind: Kind, where: str) -> float:
     InvalidInput
         No number, no unit, a unit that is unknown, ambiguous or of another kind, or nothing finite.
     """
-    shown = show(value)
+    given = _Given(value, kind, where)
     if isinstance(value, str):
-        number = _from_string(value, kind, where)
+        number = _from_string(value, given)
     elif isinstance(value, (int, float)) and not isinstance(value, bool):
         number = _as_float(value)
     else:
-        raise InvalidInput(f"{where} = {shown} is not a number; write {_way_out(kind)}.")
+        raise given.refused("quantity_no_number")
     if not abs(number) < float("inf"):
-        raise InvalidInput(f"{where} = {shown} is not a finite number; write {_way_out(kind)}.")
+        raise given.refused("quantity_not_finite")
     if abs(number) > kind.most:
-        raise InvalidInput(_beyond_a_turn(value, where))
+        bare = not isinstance(value, str)
+        raise given.refused("quantity_turn_bare" if bare else "quantity_turn")
     return number
 
 
@@ -84,20 +86,25 @@ def show(value: object) -> str:
     return text if len(text) <= 60 else f"{text[:57]}…"
 
 
-def _way_out(kind: Kind) -> str:
-    return f'{kind.name} such as "{kind.example}", or a plain number in {kind.unit}'
+@dataclass(frozen=True)
+class _Given:
+    """What stands in a place of the file, and what it should measure."""
 
+    value: object
+    kind: Kind
+    where: str
 
-def _beyond_a_turn(value: object, where: str) -> str:
-    if isinstance(value, str):
-        return (
-            f"{where} = {show(value)} is more than a full turn; write an angle from "
-            '"-360 deg" to "360 deg".'
+    def refused(self, kind: str, **values: str) -> InvalidInput:
+        """What is wrong with it, with the way out."""
+        return InvalidInput.of(
+            kind,
+            where=self.where,
+            seen=show(self.value),
+            measure=self.kind.name,
+            example=self.kind.example,
+            si=self.kind.unit,
+            **values,
         )
-    return (
-        f"{where} = {show(value)} is in rad, which is more than a full turn; if degrees are meant, "
-        f'write "{show(value)} deg".'
-    )
 
 
 def _as_float(value: float | Decimal) -> float:
@@ -107,60 +114,53 @@ def _as_float(value: float | Decimal) -> float:
         return float("inf")
 
 
-def _from_string(text: str, kind: Kind, where: str) -> float:
+def _from_string(text: str, given: _Given) -> float:
     """The number of a string, or a sentence that shows the string."""
-    start = f"{where} = {show(text)}"
     if len(text) > _LONGEST:
-        raise InvalidInput(f"{start} is too long for a quantity; write {_way_out(kind)}.")
+        raise given.refused("quantity_long")
     plain = text.translate(_ALIKE).replace("′′", "″").strip()
     sign = 1
-    if kind is LATITUDE:
-        plain, sign = _hemisphere(plain, start)
+    if given.kind is LATITUDE:
+        plain, sign = _hemisphere(plain, given)
     parts = _PARTS.split(plain)
     if len(parts) > 1 and all(re.search(r"[^\W\d]|[°′″]", part) for part in parts):
-        return sign * _composed(parts, kind, start)
-    number, unit = _split(plain, kind, start)
+        return sign * _composed(parts, given)
+    number, unit = _split(plain, given)
     if not unit:
-        raise InvalidInput(f"{start} has no unit; write {_way_out(kind)}.")
-    size = _size(unit, kind, start)
+        raise given.refused("quantity_no_unit")
+    size = _size(unit, given)
     if abs(float(number)) == float("inf"):
         return float(number)
     return sign * _as_float(number * size)
 
 
-def _split(text: str, kind: Kind, start: str) -> tuple[Decimal, str]:
+def _split(text: str, given: _Given) -> tuple[Decimal, str]:
     """Number and unit."""
     match = _NUMBER.fullmatch(text)
     if match is None:
         if text.lower().lstrip("+-").split(" ")[0] in {"nan", "inf", "infinity"}:
-            raise InvalidInput(f"{start} is not a finite number; write {_way_out(kind)}.")
+            raise given.refused("quantity_not_finite")
         marks = re.match(r"[+-]?[\d.,]+", text)
         if marks is not None and any(sign.isdigit() for sign in marks[0]):
-            raise InvalidInput(
-                f"{start} has more than one point or comma in its number; write it with a single "
-                f'decimal mark, such as "{kind.example}".'
-            )
-        raise InvalidInput(f"{start} does not start with a number; write {_way_out(kind)}.")
+            raise given.refused("quantity_marks")
+        raise given.refused("quantity_no_start")
     digits, unit = match.groups()
+    kind = given.kind
     if _THOUSANDS.fullmatch(digits) and kind.most == float("inf") and kind is not LATITUDE:
         point, whole = digits.replace(",", "."), digits.replace(",", "")
-        raise InvalidInput(
-            f'{start} may mean {point} or {whole}; write "{point} {unit}" or "{whole} {unit}".'
-        )
+        raise given.refused("quantity_thousands", point=point, whole=whole, unit_seen=unit)
     return Decimal(digits.replace(",", ".")), unit
 
 
-def _size(unit: str, kind: Kind, start: str) -> Decimal:
+def _size(unit: str, given: _Given) -> Decimal:
     """How many SI units one of the given unit is."""
     try:
-        size = size_of(_spelled_out(unit, kind), kind)
+        size = size_of(_spelled_out(unit, given.kind), given.kind)
     except UnitRefused as error:
-        raise InvalidInput(
-            f"{start}: the unit {show(unit)} {error}; write {_way_out(kind)}."
-        ) from error
+        raise given.refused(error.kind, unit_seen=show(unit), **error.values) from error
     if size is None:
-        hint = " (Hz does not say whether turns or radians are meant)" if kind is RATE else ""
-        raise InvalidInput(f"{start} is not {kind.name}{hint}; write {_way_out(kind)}.")
+        is_rate = given.kind is RATE
+        raise given.refused("quantity_other_rate" if is_rate else "quantity_other")
     return size
 
 
@@ -171,47 +171,42 @@ def _spelled_out(unit: str, kind: Kind) -> str:
     return {"′": "ft", "″": "in"}.get(unit, unit) if kind is LENGTH else unit
 
 
-def _composed(parts: list[str], kind: Kind, start: str) -> float:
+def _composed(parts: list[str], given: _Given) -> float:
     """The sum of several numbers, each in a smaller unit than the one before."""
     total, last = Decimal(0), Decimal(0)
     sign = -1 if parts[0].startswith("-") else 1
     parts = [parts[0].lstrip("+-"), *parts[1:]]
     for index, part in enumerate(parts):
-        number, unit = _split(part, kind, start)
-        if index and kind in (ANGLE, LATITUDE):
+        number, unit = _split(part, given)
+        if index and given.kind in (ANGLE, LATITUDE):
             # Behind degrees, min and s are those of arc.
             unit = {"min": "arcmin", "m": "arcmin", "s": "arcsec", "sec": "arcsec"}.get(unit, unit)
         if not unit:
-            _cannot_be_added(start, kind)
-        size = _size(unit, kind, start)
+            _cannot_be_added(given)
+        size = _size(unit, given)
         whole = number == number.to_integral_value() or index == len(parts) - 1
         if (index and number * size >= last) or not whole or size <= 0:
-            _cannot_be_added(start, kind)
+            _cannot_be_added(given)
         total += number * size
         last = size
     return sign * _as_float(total)
 
 
-def _cannot_be_added(start: str, kind: Kind) -> NoReturn:
-    raise InvalidInput(
-        f"{start} is not one number in ever smaller units, each less than one of the unit before, "
-        f"such as {'29 deg 43.281 min' if kind is not LENGTH else '12 ft 6 in'}; write "
-        f"{_way_out(kind)}."
-    )
+def _cannot_be_added(given: _Given) -> NoReturn:
+    parts = "12 ft 6 in" if given.kind is LENGTH else "29 deg 43.281 min"
+    raise given.refused("quantity_parts", parts=parts)
 
 
-def _hemisphere(text: str, start: str) -> tuple[str, int]:
+def _hemisphere(text: str, given: _Given) -> tuple[str, int]:
     """A latitude without its N or S, in degrees where it has no unit then; and its sign."""
     match = re.fullmatch(r"(?:([NS])\s*(?=[\d.,]))?(.*?[\d\s°′″a-z])??\s*([NSEWO])?", text)
     if match is None or not (match[1] or match[3]) or not match[2]:
         return text, 1
     side, number = match[1] or match[3], match[2].strip()
     if (match[1] and match[3]) or side in "EWO":
-        raise InvalidInput(f'{start} is not a latitude; write it like "48.85 N" or "33.9 S".')
+        raise given.refused("quantity_side")
     if number.startswith(("+", "-")):
-        raise InvalidInput(
-            f'{start} has both a sign and {side}; write one of them: "-33.9 deg" or "33.9 S".'
-        )
+        raise given.refused("quantity_sign", side=side)
     if _NUMBER.fullmatch(number + " ") is not None and re.fullmatch(_DIGITS, number):
         number += "°"
     return number, -1 if side == "S" else 1

@@ -6,7 +6,9 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from kugelpendel import InvalidInput
 from kugelpendel.cli.job_file.entries import Mistake
+from kugelpendel.cli.job_file.quantity import show
 from kugelpendel.spelling import spell_bytes
 
 if TYPE_CHECKING:
@@ -52,17 +54,14 @@ def read_grid(output: Entries) -> Grid:
         _affordable(count, duration, "samples")
         return Grid(duration, duration / (count - 1), count)
     if "step" not in output:
-        raise Mistake(
-            '[output] has neither step nor samples; write one of them, step = "0.1 s" or '
-            "samples = 1000.",
-            "output",
+        raise _mistake(
+            'has neither step nor samples; write one of them, step = "0.1 s" or samples = 1000.'
         )
     step = _positive(output, "step")
     if step > duration:
-        raise Mistake(
-            f"[output] step = {step:.6g} s is longer than the duration of {duration:.6g} s; "
-            "choose a shorter step.",
-            "output",
+        raise _mistake(
+            f"step = {step:.6g} s is longer than the duration of {duration:.6g} s; choose a "
+            "shorter step.",
             "step",
         )
     # A duration that is a whole number of steps but for rounding ends with a sample.
@@ -75,7 +74,10 @@ def _positive(output: Entries, key: str) -> float:
     value = output.number(key)
     if value <= 0:
         example = "0.1 s" if key == "step" else "10 min"
-        output.refuse(key, f' must be longer than zero; write a time such as "{example}".')
+        seen = show(output.values[key])
+        raise _mistake(
+            f'{key} = {seen} must be longer than zero; write a time such as "{example}".', key
+        )
     return value
 
 
@@ -84,7 +86,10 @@ def _samples(output: Entries) -> int:
     if isinstance(value, float) and value.is_integer():
         value = int(value)
     if isinstance(value, bool) or not isinstance(value, int) or value < 2:
-        output.refuse("samples", " must be a whole number of at least 2; write samples = 1000.")
+        raise _mistake(
+            f"samples = {show(value)} must be a whole number of at least 2; write samples = 1000.",
+            "samples",
+        )
     return value
 
 
@@ -92,13 +97,17 @@ def _affordable(count: float, duration: float, key: str) -> None:
     if count <= MOST_SAMPLES:
         return
     way_out = f'step = "{duration / MOST_SAMPLES * 1.01:.2g} s" or longer'
-    raise Mistake(
-        f"[output] asks for {_count(count)} samples, which take {_memory(count)} at "
-        f"{BYTES_PER_SAMPLE} bytes each; at most {MOST_SAMPLES:.0e} ({_memory(MOST_SAMPLES)}) are "
-        f"written. Choose a longer step or a shorter duration: {way_out}, or samples = 1000.",
-        "output",
+    raise _mistake(
+        f"asks for {_count(count)} samples, which take {_memory(count)} at {BYTES_PER_SAMPLE} "
+        f"bytes each; at most {MOST_SAMPLES:.0e} ({_memory(MOST_SAMPLES)}) are written. Choose a "
+        f"longer step or a shorter duration: {way_out}, or samples = 1000.",
         key,
     )
+
+
+def _mistake(said: str, key: str = "") -> Mistake:
+    """What is wrong with the table: in English, which is what all commands with a track speak."""
+    return Mistake.placed(InvalidInput(f"[output] {said}"), "output", key)
 
 
 def _count(count: float) -> str:

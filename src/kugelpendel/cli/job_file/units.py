@@ -27,11 +27,9 @@ _PRODUCT = rf"{_FACTOR}(?:(?:\s*[*·]\s*|\s+){_FACTOR})*"
 _UNIT = re.compile(rf"(?:1|{_PRODUCT})(?:\s*/\s*(?:{_FACTOR}|\({_PRODUCT}\)))*")
 """Products and quotients of powers. Nothing else reaches pint, whose parser also calculates."""
 
-_GON = 'means degrees to some and gon to others; write "deg" or "gon"'
-_GRAIN = 'means gram to some, but is the grain of 64.8 mg; write "g" or "grain"'
 _LOOKALIKES = {
-    **dict.fromkeys(("grad", "Grad", "GRAD", "grads", "grade", "grades"), _GON),
-    **dict.fromkeys(("gr", "Gr", "GR"), _GRAIN),
+    **dict.fromkeys(("grad", "Grad", "GRAD", "grads", "grade", "grades"), "quantity_unit_gon"),
+    **dict.fromkeys(("gr", "Gr", "GR"), "quantity_unit_grain"),
 }
 
 _SMALL = ("milli", "micro", "nano", "pico", "femto")
@@ -55,7 +53,20 @@ against pint."""
 
 
 class UnitRefused(Exception):
-    """A unit that is not known, or not unambiguous; the message goes on after its name."""
+    """A unit that is not known, or not unambiguous.
+
+    Parameters
+    ----------
+    kind
+        That of the sentence.
+    values
+        What the sentence has to name beside the unit.
+    """
+
+    def __init__(self, kind: str = "quantity_unit_unknown", **values: str) -> None:
+        super().__init__(kind)
+        self.kind = kind
+        self.values = values
 
 
 def size_of(unit: str, kind: Kind) -> Decimal | None:
@@ -71,7 +82,7 @@ def size_of(unit: str, kind: Kind) -> Decimal | None:
     if (everyday := _EVERYDAY.get((unit, kind.unit))) is not None:
         return everyday
     if _UNIT.fullmatch(unit) is None:
-        raise UnitRefused("is not known")
+        raise UnitRefused
     names: list[str] = re.findall(_NAME, unit)
     for name in names:
         if name in _LOOKALIKES:
@@ -79,14 +90,14 @@ def size_of(unit: str, kind: Kind) -> Decimal | None:
     try:
         scale, root, parts = _parsed(unit)
     except _PINT_LETS_OUT as error:
-        raise UnitRefused("is not known") from error
+        raise UnitRefused from error
     si, expected, _ = _parsed(kind.unit)
     if root != expected:
         return None
     for prefix, base in parts:
         allowed = _PREFIXES.get(base, ())
         if prefix and allowed is not None and prefix not in allowed:
-            raise UnitRefused(f"would be a {prefix}{base}, which nobody means")
+            raise UnitRefused("quantity_unit_prefix", meaning=f"{prefix}{base}")
     return scale / si
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NoReturn, cast
 
 from kugelpendel import InvalidInput
-from kugelpendel.cli.job_file.entries import did_you_mean
+from kugelpendel.cli.job_file.entries import closest
 from kugelpendel.cli.job_file.kinds import Kind
 from kugelpendel.cli.job_file.quantity import read_quantity, show
 from kugelpendel.sweeps import Listed, Normal, Spaced, Uniform
@@ -32,8 +32,15 @@ def read_law(value: list[Any] | dict[str, Any], kind: Kind | None, where: str) -
     Raises
     ------
     InvalidInput
-        No such form, or a number in it that cannot be read.
+        No such form, a number in it that cannot be read, or a law that makes no sense.
     """
+    law = _law(value, kind, where)
+    law.check(where)
+    return law
+
+
+def _law(value: list[Any] | dict[str, Any], kind: Kind | None, where: str) -> Law:
+    """The law of a form, whatever its numbers are."""
     if isinstance(value, list):
         return Listed(tuple(_numbers(value, kind, where)))
     if set(value) == {"normal"}:
@@ -44,14 +51,14 @@ def read_law(value: list[Any] | dict[str, Any], kind: Kind | None, where: str) -
         _refuse(value, kind, where)
     for key in value:
         if key not in _RANGE:
-            raise InvalidInput(
-                f"{where} has an unknown key {key}{did_you_mean(key, _RANGE)}; a range has "
-                f"{', '.join(_RANGE)}."
+            meant, allowed = closest(key, _RANGE), ", ".join(_RANGE)
+            raise InvalidInput.of(
+                "sweep_range_key", where=where, seen=key, meant=meant, allowed=allowed
             )
     start, stop = _numbers([value["from"], value["to"]], kind, where)
     scale = value.get("scale", "linear")
     if scale not in _SCALES:
-        raise InvalidInput(f'{where} has scale = {show(scale)}; write "linear" or "log".')
+        raise InvalidInput.of("sweep_scale", where=where, seen=show(scale))
     return Spaced(start, stop, _count(value, where), scale == "log")
 
 
@@ -66,28 +73,23 @@ def _numbers(values: list[Any], kind: Kind | None, where: str) -> list[float]:
     if kind is None:
         for value in values:
             if not isinstance(value, (int, float)) or isinstance(value, bool):
-                raise InvalidInput(f"{where} has {show(value)}, which is not a plain number.")
+                raise InvalidInput.of("sweep_plain", where=where, seen=show(value))
         return [float(value) for value in values]
     read = [read_quantity(value, kind, where) for value in values]
     with_unit = [value for value in values if isinstance(value, str)]
     bare = [value for value in values if not isinstance(value, str) and value != 0]
     if with_unit and bare:
-        raise InvalidInput(
-            f"{where} has {show(with_unit[0])} with a unit and {show(bare[0])} without one; write "
-            f"the unit of each."
-        )
+        seen, other = show(with_unit[0]), show(bare[0])
+        raise InvalidInput.of("sweep_mixed_units", where=where, seen=seen, other=other)
     return read
 
 
 def _pair(value: object, kind: Kind | None, where: str, word: str) -> tuple[float, float]:
     numbers = cast("list[Any]", value) if isinstance(value, list) else []
     if len(numbers) != 2:
-        what = "mean and standard deviation" if word == "normal" else "least and largest value"
-        shown = "1" if kind is None else f'"{kind.example}"'
-        raise InvalidInput(
-            f"{where} has {word} = {show(cast('Any', value))}; write its {what}, such as "
-            f"{{ {word} = [{shown}, {shown}] }}."
-        )
+        example = "1" if kind is None else f'"{kind.example}"'
+        seen = show(cast("Any", value))
+        raise InvalidInput.of(f"sweep_{word}", where=where, seen=seen, example=example)
     first, second = _numbers(numbers, kind, where)
     return first, second
 
@@ -99,14 +101,10 @@ def _count(value: dict[str, Any], where: str) -> int | None:
     if isinstance(count, float) and count.is_integer():
         count = int(count)
     if not isinstance(count, int) or isinstance(count, bool) or count < 1:
-        raise InvalidInput(f"{where} has count = {show(count)}; write a whole number from 2 on.")
+        raise InvalidInput.of("sweep_range_whole", where=where, seen=show(count))
     return count
 
 
 def _refuse(value: dict[str, Any], kind: Kind | None, where: str) -> NoReturn:
-    keys = ", ".join(value) or "nothing in it"
-    raise InvalidInput(
-        f"{where} has {keys}, which does not say how it varies; write a list, a range such as "
-        f"{example_of(kind)}, or in samples {{ normal = [mean, deviation] }} or {{ uniform = "
-        f"[least, most] }}."
-    )
+    seen = ", ".join(value) or "{ }"
+    raise InvalidInput.of("sweep_no_law", where=where, seen=seen, example=example_of(kind))

@@ -65,9 +65,8 @@ def read_sweep_file(path: Path) -> SweepFile:
         tables = take_apart(document.tables, SWEEP_FILE)
         names = [name for name in document.tables if name != "sweep"]
         given = {name: _given(tables[name]) for name in names}
-        sweep = _sweep(tables["sweep"], given)
         _try_it(document, tables, given)
-        return SweepFile(document, sweep)
+        return SweepFile(document, _sweep(tables["sweep"], given))
 
 
 def _sweep(asked: Entries, given: dict[str, dict[str, Any]]) -> Sweep:
@@ -78,11 +77,11 @@ def _sweep(asked: Entries, given: dict[str, dict[str, Any]]) -> Sweep:
             motion=cast("Any", asked.word("motion")),
             quantities=_words(asked, "quantities"),
             times=_times(asked),
-            count=_whole(asked, "count"),
-            seed=_whole(asked, "seed") or 0,
+            count=_whole(asked, "count", 1),
+            seed=_whole(asked, "seed", 0) or 0,
             second_order=asked.truth("second_order"),
             keep=cast("Any", _words(asked, "keep") if "keep" in asked else ("all",)),
-            chunk=_whole(asked, "chunk"),
+            chunk=_whole(asked, "chunk", 1),
         )
 
 
@@ -131,7 +130,9 @@ def _try_it(
     refused: list[kp.InvalidInput] = []
     for share in _TRIED:
         tried = {
-            name: Entries(table.section, _settled(given.get(name, {}), table, share))
+            name: Entries(table.section, _settled(given[name], table, share))
+            if name in given
+            else table
             for name, table in tables.items()
         }
         try:
@@ -145,34 +146,30 @@ def _try_it(
 
 
 def _settled(values: dict[str, Any], table: Entries, share: float) -> dict[str, Any]:
-    """The entries of a table with a number in SI for each that varies."""
-    found = {key: _typical(value, share) for key, value in values.items()}
-    for key, names in _COMPONENTS.items():
-        if key in table:
-            found[key] = [found.pop(name) for name in names]
+    """The entries of a table as they are, with a number in SI for each that varies."""
+    found = dict(table.values)
+    for key, value in table.values.items():
+        if key in _COMPONENTS:
+            found[key] = [_typical(values[name], share) for name in _COMPONENTS[key]]
+        elif isinstance(value, (list, dict)):
+            found[key] = _typical(values[key], share)
     return found
 
 
-def _typical(value: Any, share: float) -> Any:
+def _typical(value: float | Law, share: float) -> float:
     if isinstance(value, Normal):
         return value.mean
-    if isinstance(value, (float, int, str, bool)):
-        return value
-    law: Law = value
-    return float(law.drawn(np.array([share]))[0])
+    return value if isinstance(value, (float, int)) else float(value.drawn(np.array([share]))[0])
 
 
 def _words(asked: Entries, key: str) -> tuple[str, ...]:
     """One word, or several."""
     value = asked.values.get(key)
     if value is None:
-        raise Mistake(
-            f"{asked.where(key)} is missing; write {key} = {asked.section.key(key).example}.",
-            "sweep",
-        )
+        asked.refuse("file_key_missing", key, example=asked.section.key(key).example)
     words: list[Any] = cast("list[Any]", value) if isinstance(value, list) else [value]
     if not all(isinstance(word, str) for word in words):
-        asked.refuse(key, f" is no list of words; write {key} = {asked.section.key(key).example}.")
+        asked.refuse("sweep_words", key, example=asked.section.key(key).example)
     return tuple(words)
 
 
@@ -188,21 +185,20 @@ def _times(asked: Entries) -> tuple[float, ...]:
         law = read_law(cast("Any", value), TIME, where)
         if isinstance(law, Listed):
             return law.values
-        law.check("times")
         if not isinstance(law, Spaced) or law.count is None:
-            asked.refuse("times", '; write a list, or { from = "1 h", to = "6 h", count = 6 }.')
+            asked.refuse("sweep_times", "times")
         return tuple(law.at(np.arange(law.count)).tolist())
 
 
-def _whole(asked: Entries, key: str) -> int | None:
-    """A whole number, or None where the file has none."""
+def _whole(asked: Entries, key: str, least: int) -> int | None:
+    """A whole number, or None where the file has none; how small it may be, the sweep checks."""
     if key not in asked:
         return None
     value: object = asked.values[key]
     if isinstance(value, float) and value.is_integer():
         value = int(value)  # 1e6
     if not isinstance(value, int) or isinstance(value, bool):
-        asked.refuse(key, " is not a whole number.")
+        asked.refuse("sweep_whole", key, name=asked.where(key), least=str(least))
     return value
 
 
@@ -220,6 +216,6 @@ def _placed(asked: Entries) -> Generator[None]:
                 r"(\w+)\.(\w+)$", seen.name
             )
             if place is not None:
-                raise Mistake("", place[1], place[2], cause=error) from error
+                raise Mistake.in_table(error, place[1], place[2]) from error
         with asked.at():
             raise

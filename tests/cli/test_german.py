@@ -1,0 +1,170 @@
+"""With `--lang de` whatever is refused is said in German."""
+
+# What is refused stands in rows, whatever their length.
+# ruff: noqa: E501
+
+import io
+import re
+import string
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from kugelpendel.errors import Language
+from kugelpendel.errors._sentences import read
+
+ROOMS = ("file_", "quantity_")
+"""Kinds that only the command line says."""
+
+SWEEP = {
+    "pendulum": {"length": '"1 m"'},
+    "launch": {"kind": '"ellipse"', "a": '["5 cm", "10 cm"]', "b": '"1 cm"'},
+    "sweep": {"motion": '"averaged"', "quantities": '["azimuth"]', "times": '["10 min"]'},
+}
+BOB = {"bob.radius": "0.1", "bob.density": "8000"}
+
+Given = dict[str, str | None] | bytes | list[str]
+
+FILES: dict[str, tuple[dict[str, str | None] | bytes, str]] = {
+    "file_no_toml": (b"[pendulum]\nlength = 67 m\n", "sweep.toml ist kein gültiges TOML: "),
+    "file_comma": (b"[pendulum]\nlength = 0,2\n", 'sweep.toml, Zeile 2: length = 0,2 hat ein Dezimalkomma außerhalb von Anführungszeichen; schreiben Sie length = "0,2", '),
+    "file_empty": (b"# nothing\n", "sweep.toml ist leer. Eine Jobdatei sieht so aus:\n\n[pendulum]\n"),
+    "file_large": (b"#" * 2_000_000, "ist größer als 1024 KiB"),
+    "file_encoding": (b"# Panth\xe9on\n", "steht an der Stelle 7 das Byte 0xe9"),
+    "file_table": ({"launsh.a": "1"}, "sweep.toml, Zeile 11: [launsh] gibt es nicht (gemeint ist vielleicht launch); eine Jobdatei hat die Tabellen [pendulum], "),
+    "file_no_table": (b"pendulum = 3\n", "Zeile 1: pendulum = 3 müsste eine Tabelle sein"),
+    "file_table_missing": (b"[pendulum]\nlength = 1\n", "Die Tabelle [launch] fehlt; eine Jobdatei hat [pendulum], [launch], [sweep]."),
+    "file_key": ({"launch.theta": "1"}, '[launch] theta gibt es bei kind = "ellipse" nicht; möglich sind kind, a, b, azimuth.'),
+    "file_key_missing": ({"sweep.quantities": None}, '[sweep] quantities fehlt; schreiben Sie quantities = ["azimuth", "b"].'),
+    "file_twice": ({"drag.linear": "0", "drag.quality": "9"}, "[drag] sagt dasselbe mehrmals: linear, quality; "),
+    "file_word": ({"sweep.motion": '"reel"'}, 'Zeile 8: [sweep] motion = "reel" gibt es nicht (gemeint ist vielleicht real); möglich sind "exact", "averaged", "real".'),
+    "file_word_missing": ({"launch.kind": None}, '[launch] kind fehlt; schreiben Sie eines von "ellipse", '),
+    "file_truth": ({"sweep.second_order": "1"}, "[sweep] second_order = 1: Schreiben Sie true oder false."),
+    "file_plain": ({"drag.quality": '"9"'}, '[drag] quality = "9" ist keine bloße Zahl; schreiben Sie quality = '),
+    "file_components": ({"launch.kind": '"state"', "launch.a": None, "launch.b": None, "launch.position": "[0, 0]", "launch.velocity": "[0, 0, 0]"}, "[launch] position = [0, 0] hat keine drei Komponenten; "),
+    "file_beyond_pole": ({"site.latitude": '"95 deg"'}, '[site] latitude = "95 deg" liegt jenseits eines Pols; '),
+    "file_thread_alone": ({"drag.thread_diameter": '"1 mm"'}, "[drag] thread_diameter geht nur zusammen mit from_bob = true."),
+    "file_no_bob": ({"drag.from_bob": "true"}, "[drag] from_bob = true braucht eine Tabelle [bob]"),
+    "file_quadratic_twice": ({"drag.from_bob": "true", "drag.quadratic": "1e-3", **BOB}, "[drag] quadratic geht nicht zusammen mit from_bob = true, "),
+    "quantity_no_number": ({"launch.b": "true"}, '[launch] b = true ist keine Zahl; gebraucht wird eine Länge, etwa "3 cm", oder eine bloße Zahl in m.'),
+    "quantity_not_finite": ({"launch.b": "nan"}, "[launch] b = nan ist keine endliche Zahl; "),
+    "quantity_turn": ({"launch.azimuth": '"361 deg"'}, '[launch] azimuth = "361 deg" ist mehr als eine volle Umdrehung; '),
+    "quantity_turn_bare": ({"launch.azimuth": "45"}, 'sind Grad gemeint, schreiben Sie "45 deg".'),
+    "quantity_long": ({"launch.b": f'"{"1" * 500} m"'}, "ist zu lang für eine Größe; "),
+    "quantity_no_unit": ({"launch.b": '"1"'}, 'Zeile 6: [launch] b = "1" hat keine Einheit; gebraucht wird eine Länge, '),
+    "quantity_marks": ({"launch.b": '"1.2.3 m"'}, '[launch] b = "1.2.3 m" hat mehr als einen Punkt oder ein Komma in der Zahl; '),
+    "quantity_no_start": ({"launch.b": '"wide"'}, '[launch] b = "wide" beginnt nicht mit einer Zahl; '),
+    "quantity_thousands": ({"launch.b": '"1,234 m"'}, 'kann 1.234 oder 1234 heißen; schreiben Sie "1.234 m" oder "1234 m".'),
+    "quantity_unit_unknown": ({"launch.b": '"3 furlog"'}, '[launch] b = "3 furlog": Die Einheit "furlog" ist nicht bekannt; '),
+    "quantity_unit_gon": ({"launch.azimuth": '"45 Grad"'}, 'Die Einheit "Grad" heißt für die einen Grad, für die anderen Gon; '),
+    "quantity_unit_grain": ({"pendulum.mass": '"5 gr"'}, 'Die Einheit "gr" heißt für manche Gramm, ist aber das Gran von 64,8 mg; '),
+    "quantity_unit_prefix": ({"launch.azimuth": '"45 mdeg"'}, 'Die Einheit "mdeg" wäre millidegree, was niemand meint; gebraucht wird ein Winkel, '),
+    "quantity_other": ({"sweep.times": '["3 kg"]'}, 'Zeile 10: [sweep] times = "3 kg" misst etwas anderes; gebraucht wird eine Zeit, etwa "10 min", oder eine bloße Zahl in s.'),
+    "quantity_other_rate": ({"suspension.anisotropy": '"1 Hz"'}, "Hz sagt nicht, ob Umdrehungen oder Radiant gemeint sind; gebraucht wird eine Winkelgeschwindigkeit, "),
+    "quantity_parts": ({"pendulum.length": '"12 ft 13 in"'}, "weniger als eine von ihr ausmacht, etwa 12 ft 6 in; "),
+    "quantity_side": ({"site.latitude": '"2 E"'}, '[site] latitude = "2 E" ist keine geographische Breite; '),
+    "quantity_sign": ({"site.latitude": '"-33 S"'}, 'hat sowohl ein Vorzeichen als auch S; schreiben Sie eines davon: '),
+    "sweep_words": ({"sweep.quantities": "3"}, '[sweep] quantities = 3 ist keine Liste von Wörtern; schreiben Sie quantities = ["azimuth", "b"].'),
+    "sweep_times": ({"sweep.times": '{ from = "1 h", to = "6 h" }'}, '[sweep] times = {…}; schreiben Sie eine Liste oder { from = "1 h", to = "6 h", count = 6 }.'),
+    "sweep_whole": ({"sweep.count": "2.5"}, "[sweep] count muss eine ganze Zahl ab 1 sein, ist aber 2.5."),
+    "sweep_no_law": ({"launch.b": '{ from = "1 cm" }'}, 'Zeile 6: [launch] b hat from, was nicht sagt, wie es sich ändert; schreiben Sie eine Liste, einen Bereich wie { from = "3 cm", to = "3 cm", count = 20 } '),
+    "sweep_range_key": ({"launch.b": '{ from = 0, to = "1 cm", cuont = 5 }'}, "[launch] b hat einen Schlüssel cuont, den es nicht gibt (gemeint ist vielleicht count); "),
+    "sweep_range_whole": ({"launch.b": '{ from = 0, to = "1 cm", count = 0 }'}, "[launch] b hat count = 0; schreiben Sie eine ganze Zahl ab 2."),
+    "sweep_scale": ({"launch.b": '{ from = 0, to = "1 cm", scale = "ln" }'}, '[launch] b hat scale = "ln"; '),
+    "sweep_plain": ({"drag.quality": '["9"]'}, '[drag] quality hat "9", was keine bloße Zahl ist.'),
+    "sweep_mixed_units": ({"launch.b": '["1 cm", 2]'}, '[launch] b hat "1 cm" mit einer Einheit und 2 ohne; '),
+    "sweep_normal": ({"launch.b": '{ normal = "1 cm" }'}, '[launch] b hat normal = "1 cm"; schreiben Sie Mittelwert und Standardabweichung, '),
+    "sweep_uniform": ({"launch.b": '{ uniform = ["1 cm"] }'}, "[launch] b hat uniform = ['1 cm']; schreiben Sie den kleinsten und den größten Wert, "),
+}  # fmt: skip
+"""Of each kind what is in the file, and a part of what is said."""
+
+ARGUMENTS: dict[str, tuple[list[str], str]] = {
+    "file_is_folder": (["sweep", "."], ". ist ein Ordner; nennen Sie eine Jobdatei, etwa ./job.toml."),
+    "file_missing": (["sweep", "../jbo.toml"], "../jbo.toml gibt es nicht; in jenem Ordner sind sweep.toml."),
+    "file_unread": (["sweep", "a\0b"], "lässt sich nicht lesen: "),
+}  # fmt: skip
+"""Of each kind what is called, and a part of what is said."""
+
+
+@pytest.fixture
+def write(tmp_path: Path) -> Callable[[dict[str, str | None] | bytes], Path]:
+    """Write the usual sweep with some entries changed, or a file of these bytes."""
+
+    def write(given: dict[str, str | None] | bytes) -> Path:
+        path = tmp_path / "sweep.toml"
+        if isinstance(given, bytes):
+            path.write_bytes(given)
+            return path
+        tables: dict[str, dict[str, str | None]] = {name: {**SWEEP[name]} for name in SWEEP}
+        for name, value in given.items():
+            table, _, key = name.partition(".")
+            tables.setdefault(table, {})[key] = value
+        lines = [
+            f"[{name}]\n" + "".join(f"{k} = {v}\n" for k, v in table.items() if v is not None)
+            for name, table in tables.items()
+        ]
+        path.write_text("".join(lines), encoding="utf-8")
+        return path
+
+    return write
+
+
+def pattern(kind: str, language: Language) -> str:
+    """What is said of a kind, with anything in its holes."""
+    entry = read(language)["kinds"][kind]
+    parts = string.Formatter().parse(entry.get("file", entry["python"]))
+    return "".join(re.escape(said) + ("" if hole is None else ".*") for said, hole, _, _ in parts)
+
+
+def is_said(outcome: Any, kind: str, part: str) -> None:
+    """A refusal in German, and in no other language."""
+    assert outcome.code == 2, outcome
+    assert outcome.out == ""
+    assert part in outcome.err
+    assert re.search(pattern(kind, "de"), outcome.err), outcome.err
+    assert not re.search(pattern(kind, "en"), outcome.err), outcome.err
+
+
+@pytest.mark.parametrize("kind", FILES)
+def test_of_a_file(call: Any, write: Any, kind: str) -> None:
+    given, part = FILES[kind]
+    is_said(call("sweep", write(given), "--lang", "de"), kind, part)
+    assert list(Path.cwd().iterdir()) == []
+
+
+@pytest.mark.parametrize("kind", ARGUMENTS)
+def test_of_what_is_called(call: Any, write: Any, kind: str) -> None:
+    write({})
+    arguments, part = ARGUMENTS[kind]
+    is_said(call(*arguments, "--lang", "de"), kind, part)
+    assert list(Path.cwd().iterdir()) == []
+
+
+class _Broken(io.RawIOBase):
+    def readinto(self, _: Any) -> int:
+        raise OSError(5, "Input/output error")
+
+    def readable(self) -> bool:
+        return True
+
+
+STDIN: dict[str, tuple[Any, str]] = {
+    "file_stdin_closed": (None, "Die Standardeingabe ist geschlossen; "),
+    "file_stdin_unread": (_Broken(), "lässt sich nicht lesen: Input/output error."),
+}
+
+
+@pytest.mark.parametrize("kind", STDIN)
+def test_of_standard_input(call: Any, monkeypatch: pytest.MonkeyPatch, kind: str) -> None:
+    raw, part = STDIN[kind]
+    stdin = raw and io.TextIOWrapper(io.BufferedReader(raw))
+    monkeypatch.setattr(sys, "stdin", stdin)
+    is_said(call("sweep", "-", "--lang", "de"), kind, part)
+
+
+def test_none_is_left_out() -> None:
+    kinds = {kind for kind in read("de")["kinds"] if kind.startswith(ROOMS)}
+    assert kinds <= {*FILES, *ARGUMENTS, *STDIN}
