@@ -78,10 +78,18 @@ FILES: dict[str, tuple[dict[str, str | None] | bytes, str]] = {
     "sweep_mixed_units": ({"launch.b": '["1 cm", 2]'}, '[launch] b hat "1 cm" mit einer Einheit und 2 ohne; '),
     "sweep_normal": ({"launch.b": '{ normal = "1 cm" }'}, '[launch] b hat normal = "1 cm"; schreiben Sie Mittelwert und Standardabweichung, '),
     "sweep_uniform": ({"launch.b": '{ uniform = ["1 cm"] }'}, "[launch] b hat uniform = ['1 cm']; schreiben Sie den kleinsten und den größten Wert, "),
+    "sweep_no_quantity": ({"sweep.quantities": '["precesion"]'}, "Zeile 9: [sweep] Eine Durchmusterung kann 'precesion' nicht ablesen; sie liest frequency, "),
+    "sweep_not_of_motion": ({"sweep.quantities": '["period"]'}, '[sweep] "period" lässt sich an der Bewegung "averaged" nicht ablesen, aber an diesen: "exact".'),
+    "sweep_no_times": ({"sweep.times": None}, '[sweep] "azimuth" braucht Zeiten; schreiben Sie etwa times = ["6 h"].'),
+    "sweep_no_ground": ({"sweep.quantities": '["stalls"]'}, '"stalls" braucht einen Boden, der sich dreht; '),
+    "sweep_time_before": ({"sweep.times": '["-1 h"]'}, "Zeile 10: [sweep] Eine Durchmusterung liest nach dem Start ab, aber eine ihrer Zeiten ist -3600 s."),
+    "sweep_times_order": ({"sweep.times": '["2 h", "1 h"]'}, "Zeile 10: [sweep] Die Zeiten einer Durchmusterung müssen von einer zur nächsten wachsen, aber auf 7200 s folgt 3600 s; "),
+    "sweep_mean_rate": ({"sweep.times": "[0, 1]", "sweep.quantities": '["mean_rate"]'}, '"mean_rate" ist die Rate vom Start bis zu einer späteren Zeit, aber eine der Zeiten ist 0 s; '),
 }  # fmt: skip
 """Of each kind what is in the file, and a part of what is said."""
 
 ARGUMENTS: dict[str, tuple[list[str], str]] = {
+    "sweep_workers": (["sweep", "../sweep.toml", "--workers", "two"], "--workers ist 'two'; schreiben Sie eine ganze Zahl von 1 bis 4096, "),
     "file_is_folder": (["sweep", "."], ". ist ein Ordner; nennen Sie eine Jobdatei, etwa ./job.toml."),
     "file_missing": (["sweep", "../jbo.toml"], "../jbo.toml gibt es nicht; in jenem Ordner sind sweep.toml."),
     "file_unread": (["sweep", "a\0b"], "lässt sich nicht lesen: "),

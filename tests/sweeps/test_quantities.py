@@ -192,12 +192,24 @@ def test_every_quantity_is_read_by_the_motions_that_it_names() -> None:
     ("kind", "names", "times", "grounded", "said"),
     [
         ("exact", ["colour"], [], True, "A sweep cannot read 'colour'; it reads frequency, "),
-        ("real", ["stalls"], [1.0], True, 'cannot be read off the motion "real"; take the motion'),
-        ("averaged", ["azimuth"], [], True, '"azimuth" needs times; write times = ["6 h"]'),
+        (
+            "real",
+            ["stalls"],
+            [1.0],
+            True,
+            'cannot be read off the motion "real", but off these: "averaged".',
+        ),
+        ("averaged", ["azimuth"], [], True, '"azimuth" needs times; write times=(21600.0,)'),
         ("averaged", ["largest_b"], [], True, '"largest_b" needs times'),
         ("averaged", ["stalls"], [], False, '"stalls" needs a ground that turns; add a table'),
         ("exact", ["a"], [-1.0], True, "A sweep reads after the launch, but one of its times is"),
-        ("exact", ["a"], [2.0, 1.0], True, "must grow from one to the next"),
+        (
+            "exact",
+            ["a"],
+            [2.0, 1.0],
+            True,
+            "must grow from one to the next, but after 2 s comes 1 s; ",
+        ),
         ("exact", ["mean_rate"], [0.0], True, "one of the times is 0 s; leave that one out"),
     ],
 )

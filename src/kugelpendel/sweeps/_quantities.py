@@ -191,30 +191,25 @@ def require_readable(kind: str, names: Sequence[str], times: Numbers, *, grounde
     for name in names:
         quantity = QUANTITIES.get(name)
         if quantity is None:
-            known = ", ".join(QUANTITIES)
-            raise InvalidInput(f"A sweep cannot read {name!r}; it reads {known}.")
+            raise InvalidInput.of("sweep_no_quantity", quantities=name, known=", ".join(QUANTITIES))
         if kind not in quantity.motions:
-            able = " or ".join(f'"{motion}"' for motion in sorted(quantity.motions))
-            raise InvalidInput(
-                f'"{name}" cannot be read off the motion "{kind}"; take the motion {able}.'
-            )
+            able = ", ".join(f'"{motion}"' for motion in sorted(quantity.motions))
+            raise InvalidInput.of("sweep_not_of_motion", quantities=name, motion=kind, able=able)
         if (quantity.per_time or kind in quantity.until) and not np.size(times):
-            raise InvalidInput(f'"{name}" needs times; write times = ["6 h"], for instance.')
+            raise InvalidInput.of("sweep_no_times", quantities=name)
         if quantity.grounded and not grounded:
-            raise InvalidInput(
-                f'"{name}" needs a ground that turns; add a table [site] with its latitude.'
-            )
+            raise InvalidInput.of("sweep_no_ground", quantities=name)
     values = np.asarray(times, np.float64).ravel()
     if values.size and not (values[0] >= 0 and np.isfinite(values).all()):
         wrong = values[~((values >= 0) & np.isfinite(values))]
-        raise InvalidInput(f"A sweep reads after the launch, but one of its times is {wrong[0]} s.")
-    if (np.diff(values) <= 0).any():
-        raise InvalidInput("The times of a sweep must grow from one to the next; sort them.")
+        raise InvalidInput.of("sweep_time_before", times=(float(wrong[0]), "s"))
+    falling = np.flatnonzero(np.diff(values) <= 0)
+    if falling.size:
+        first = int(falling[0])
+        earlier, later = float(values[first]), float(values[first + 1])
+        raise InvalidInput.of("sweep_times_order", times=(earlier, "s"), after=(later, "s"))
     if "mean_rate" in names and values[0] == 0:
-        raise InvalidInput(
-            '"mean_rate" is that from the launch to a later time, but one of the times is 0 s; '
-            "leave that one out."
-        )
+        raise InvalidInput.of("sweep_mean_rate", times=(0.0, "s"))
 
 
 def _kind(motion: Motion) -> str:

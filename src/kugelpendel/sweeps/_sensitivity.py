@@ -120,25 +120,18 @@ def sensitivity(
     size = (2 if second_order else 1) * count + 2
     numbers = np.asarray(values, np.float64).ravel()
     if numbers.size == 0 or numbers.size % size:
-        raise InvalidInput(
-            f"Sobol indices of {count} parameters need blocks of {size} cases, but there are "
-            f'{numbers.size} cases; read them with design = "sobol".'
-        )
+        raise InvalidInput.of("sweep_blocks", parameters=count, size=size, cases=numbers.size)
     blocks = numbers.reshape(-1, size)
     good = np.isfinite(blocks).all(axis=1)
     kept = blocks[good]
     dropped = int(len(blocks) - len(kept))
     if len(kept) < FEWEST:
-        raise InvalidInput(
-            f"Sobol indices need {FEWEST} whole blocks of {size} cases at least, but of "
-            f"{len(blocks)} only {len(kept)} have an answer in every case; take more base points, "
-            f"or narrower ranges."
+        raise InvalidInput.of(
+            "sweep_few_blocks", least=FEWEST, size=size, blocks=len(blocks), whole=len(kept)
         )
     spread = float(np.ptp(kept))
     if spread <= 1e-12 * float(np.abs(kept).max()):
-        raise InvalidInput(
-            f"Nothing moves this result: it is {kept.flat[0]:.6g} in all {kept.size} cases."
-        )
+        raise InvalidInput.of("sweep_unmoved", found=float(kept.flat[0]), cases=kept.size)
     return _estimated(kept, tuple(names), second_order, seed, dropped)
 
 

@@ -219,11 +219,10 @@ def opened(path: str) -> SweepStore:
 def _continued(path: Path, sweep: Sweep) -> SweepStore:
     store = SweepStore(path)
     if store.sweep.digest != sweep.digest:
-        raise InvalidInput.of(
-            "sweep_other",
-            folder=str(path.parent),
-            differs=", ".join(_differences(store.sweep, sweep)),
-        )
+        folder, differs = str(path.parent), ", ".join(_differences(store.sweep, sweep))
+        if not differs:
+            raise InvalidInput.of("sweep_other_order", folder=folder)
+        raise InvalidInput.of("sweep_other", folder=folder, differs=differs)
     now = _versions()
     for name, begun in store.versions.items():
         if now.get(name) != begun and not store.done().all():
@@ -238,13 +237,13 @@ def _continued(path: Path, sweep: Sweep) -> SweepStore:
 
 
 def _differences(stored: Sweep, asked: Sweep) -> list[str]:
-    """In what two sweeps differ."""
+    """In what two sweeps differ; nothing where only the order of what varies is another."""
     one, other = (json.loads(sweep.as_json()) for sweep in (stored, asked))
     differing = [key for key in one if key not in ("varied", "fixed") and one[key] != other[key]]
     one_given, other_given = (dict([*plain["varied"], *plain["fixed"]]) for plain in (one, other))
     names = [*one_given, *(name for name in other_given if name not in one_given)]
     changed = [where(name) for name in names if one_given.get(name) != other_given.get(name)]
-    return [*changed, *differing] or ["the order of what varies"]
+    return [*changed, *differing]
 
 
 def _refuse_without_room(folder: Path, sweep: Sweep) -> None:

@@ -2,9 +2,13 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
-from kugelpendel.cli.sweep.causes import main_cause
+import kugelpendel as kp
+from kugelpendel.cli.sweep.causes import causes, main_cause
+from kugelpendel.errors import Language
+from kugelpendel.sweeps import Spaced
 from kugelpendel.sweeps._sensitivity import Sensitivity, Share
 
 CLAMP, AXIS, WIDTH = "suspension.anisotropy", "suspension.axis", "launch.b"
@@ -71,3 +75,22 @@ def test_where_no_two_move_most_the_largest_are_named() -> None:
         "clamp's unevenness (40 % (± 1 %) with all others) and the clamp's direction "
         "(35 % (± 1 %))."
     )
+
+
+@pytest.mark.parametrize(
+    ("language", "values", "said"),
+    [
+        ("en", np.full(96, 3.0), "What moves the period: Nothing moves this result: it is 3 in "),
+        ("de", np.full(96, 3.0), "Was „Periode“ bewegt: Dieses Ergebnis bewegt nichts: Es ist in "),
+        ("en", np.full(96, np.nan), "Sobol indices need 16 whole blocks of 6 cases at least, but "),
+        ("de", np.full(96, np.nan), "Sobol-Indizes brauchen mindestens 16 ganze Blöcke zu 6 Fä"),
+    ],
+)
+def test_what_cannot_be_told_is_said_in_the_language_of_the_report(
+    language: Language, values: np.ndarray, said: str
+) -> None:
+    launch = {"kind": "ellipse", "a": Spaced(0.1, 0.2), "b": Spaced(0.01, 0.02)}
+    given = {"pendulum": {"length": 1.0}, "launch": launch}
+    sweep = kp.Sweep(given, "sobol", "exact", ("period",), count=16)
+    title = {"en": "period", "de": "Periode"}[language]
+    assert said in " ".join(causes(sweep, values, title, language).split())

@@ -190,6 +190,17 @@ def test_another_sweep_in_the_folder(call: Any, file: Any) -> None:
     )
 
 
+def test_the_same_sweep_in_another_order(call: Any, file: Any) -> None:
+    text = SWEEP.replace('a = { from = "5 cm", to = "50 cm", count = 4 }\n', "")
+    text = text.replace("[sweep]", 'a = { from = "5 cm", to = "50 cm", count = 4 }\n[sweep]')
+    assert call("sweep", file()).code == 0
+    outcome = call("sweep", file(text))
+    assert outcome.code == 2
+    assert "out/sweep holds this sweep with what varies in another order; choose" in outcome.err
+    german = call("sweep", file(text), "--lang", "de")
+    assert "aber was sich ändert, steht in anderer Reihenfolge. Nehmen Sie mit --out" in german.err
+
+
 def test_a_scheduler_that_does_not_answer(call: Any, file: Any) -> None:
     outcome = call("sweep", file(), "--scheduler", "tcp://127.0.0.1:1")
     assert outcome.code == 2

@@ -53,7 +53,8 @@ def causes(sweep: Sweep, values: Numbers, title: str, language: Language = "en")
     try:
         found = sensitivity(values, sweep.names, second_order=sweep.second_order, seed=sweep.seed)
     except InvalidInput as refused:
-        return paragraph(words["refuses"].format(title=title, why=refused))
+        why = refused.sentence(language, "file")
+        return paragraph(words["refuses"].format(title=title, why=why))
     parts = [words["moves"].format(title=title), _table(found, language)]
     if found.dropped:
         blocks = grouped(found.dropped + found.blocks)

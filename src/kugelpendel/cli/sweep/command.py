@@ -73,10 +73,7 @@ def _workers(text: str | None) -> int | None:
     if text is None:
         return None
     if not (text.isascii() and text.isdigit() and 1 <= int(text) <= MOST_WORKERS):
-        raise kp.InvalidInput(
-            f"--workers is {text!r}; write a whole number from 1 to {MOST_WORKERS}, such as the "
-            "count of processors."
-        )
+        raise kp.InvalidInput.of("sweep_workers", seen=repr(text), most=MOST_WORKERS)
     return int(text)
 
 
