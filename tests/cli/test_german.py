@@ -12,11 +12,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.cli.conftest import Outcome
 
+import kugelpendel as kp
+from kugelpendel.cli.output import files
+from kugelpendel.cli.output.stage import Unfinished
 from kugelpendel.errors import Language
 from kugelpendel.errors._sentences import read
 
-ROOMS = ("file_", "quantity_")
+ROOMS = ("file_", "quantity_", "out_")
 """Kinds that only the command line says."""
 
 SWEEP = {
@@ -93,6 +97,11 @@ ARGUMENTS: dict[str, tuple[list[str], str]] = {
     "file_is_folder": (["sweep", "."], ". ist ein Ordner; nennen Sie eine Jobdatei, etwa ./job.toml."),
     "file_missing": (["sweep", "../jbo.toml"], "../jbo.toml gibt es nicht; in jenem Ordner sind sweep.toml."),
     "file_unread": (["sweep", "a\0b"], "lässt sich nicht lesen: "),
+    "out_below_file": (["fit", "a.csv", "--out", "../sweep.toml/out"], "sweep.toml ist eine Datei; nehmen Sie mit --out einen anderen."),
+    "out_folder_in_the_way": (["fit", "a.csv", "--out", "../taken"], "../taken/fit.json ist ein Ordner; "),
+    "out_foreign": (["fit", "a.csv", "--out", "../mine"], "In ../mine liegt schon fit.json: nicht von einem früheren Lauf, oder seither geändert; "),
+    "out_is_folder": (["derive", "3", "--format", "md", "--out", "."], ". lässt sich nicht schreiben: Es ist ein Ordner; nehmen Sie mit --out eine andere Datei."),
+    "out_file_unwritable": (["derive", "3", "--out", "no/a.md"], "no/a.md lässt sich nicht schreiben: No such file or directory; "),
 }  # fmt: skip
 """Of each kind what is called, and a part of what is said."""
 
@@ -146,6 +155,9 @@ def test_of_a_file(call: Any, write: Any, kind: str) -> None:
 @pytest.mark.parametrize("kind", ARGUMENTS)
 def test_of_what_is_called(call: Any, write: Any, kind: str) -> None:
     write({})
+    Path("../taken/fit.json").mkdir(parents=True)
+    Path("../mine").mkdir()
+    Path("../mine/fit.json").write_text("{}")
     arguments, part = ARGUMENTS[kind]
     is_said(call(*arguments, "--lang", "de"), kind, part)
     assert list(Path.cwd().iterdir()) == []
@@ -173,6 +185,30 @@ def test_of_standard_input(call: Any, monkeypatch: pytest.MonkeyPatch, kind: str
     is_said(call("sweep", "-", "--lang", "de"), kind, part)
 
 
+FULL = OSError(28, "No space left on device")
+MOVES: dict[str, tuple[str, Exception, str]] = {
+    "out_unwritable": ("Stage", FULL, "lässt sich nicht beschreiben: No space left on device; nehmen Sie mit --out einen anderen."),
+    "out_failed": ("_publish", FULL, "No space left on device; nichts ist halb geschrieben, "),
+    "out_unfinished": ("_publish", Unfinished(FULL), "konnten nicht alle zurückgelegt werden. Sie sind alle in "),
+}  # fmt: skip
+"""Of each kind what fails and how, and a part of what is said."""
+
+
+@pytest.mark.parametrize("kind", MOVES)
+def test_of_a_folder_that_takes_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kind: str
+) -> None:
+    name, error, part = MOVES[kind]
+
+    def fail(*_: object) -> None:
+        raise error
+
+    monkeypatch.setattr(files, name, fail)
+    with pytest.raises(kp.InvalidInput) as raised, files.staged(tmp_path / "out", []):
+        pass
+    is_said(Outcome(2, "", raised.value.sentence("de", "file")), kind, part)
+
+
 def test_none_is_left_out() -> None:
     kinds = {kind for kind in read("de")["kinds"] if kind.startswith(ROOMS)}
-    assert kinds <= {*FILES, *ARGUMENTS, *STDIN}
+    assert kinds <= {*FILES, *ARGUMENTS, *STDIN, *MOVES}

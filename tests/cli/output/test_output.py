@@ -217,7 +217,7 @@ def test_a_file_that_cannot_be_replaced_leaves_both_sets(
 def test_files_of_the_user_are_refused_before_any_work(tmp_path: Path, name: str) -> None:
     (tmp_path / name).write_text("mine")
     with (
-        pytest.raises(InvalidInput, match=rf"has {name} already, which was not made by an earlier"),
+        pytest.raises(InvalidInput, match=rf"has {name} already: not made by an earlier"),
         staged(tmp_path, NAMES),
     ):
         raise AssertionError
@@ -228,7 +228,9 @@ def test_files_of_the_user_are_refused_before_any_work(tmp_path: Path, name: str
 def test_a_file_that_the_user_has_changed_is_the_users(tmp_path: Path) -> None:
     put(tmp_path / "out", OLD)
     (tmp_path / "out" / "figure.png").write_text("improved")
-    with pytest.raises(InvalidInput, match=r"figure\.png already.*or changed since; move it away"):
+    with pytest.raises(
+        InvalidInput, match=r"figure\.png already.*or changed since; move that away"
+    ):
         put(tmp_path / "out", NEW)
     assert seen(tmp_path / "out") == {**OLD, "figure.png": "improved"}
 

@@ -45,25 +45,21 @@ def staged(
         _refuse_foreign(folder, replaces if writes is None else writes)
         stage = Stage(parent)
     except OSError as error:
-        raise InvalidInput(
-            f"The output folder {folder} cannot be written: {_said(error)}; choose another one "
-            "with --out."
-        ) from error
+        raise InvalidInput.of("out_unwritable", folder=str(folder), said=_said(error)) from error
     try:
         yield stage.new
         _refuse_foreign(folder, [path.name for path in stage.new.iterdir()])
         _publish(stage, folder, replaces)
     except Unfinished as error:
-        raise InvalidInput(
-            f"Writing to {folder} failed: {_said(error.cause)}; the files that were there could "
-            f"not all be put back. All of them are in {stage.old}, and the new ones in "
-            f"{stage.new}; the next run into this folder puts one of the two sets in place."
+        raise InvalidInput.of(
+            "out_unfinished",
+            folder=str(folder),
+            said=_said(error.cause),
+            old=str(stage.old),
+            new=str(stage.new),
         ) from error
     except OSError as error:
-        raise InvalidInput(
-            f"Writing to {folder} failed: {_said(error)}; nothing is left half-written, and what "
-            "was there before is as it was."
-        ) from error
+        raise InvalidInput.of("out_failed", folder=str(folder), said=_said(error)) from error
     finally:
         stage.close()
 
@@ -88,7 +84,7 @@ def one_file(path: Path, *, makes_parents: bool = False) -> Generator[Path]:
     """
     try:
         if path.is_dir():
-            raise IsADirectoryError(21, "it is a folder")
+            raise InvalidInput.of("out_is_folder", file=str(path))
         if makes_parents:
             _existing(path.parent)
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -100,9 +96,8 @@ def one_file(path: Path, *, makes_parents: bool = False) -> Generator[Path]:
         finally:
             stage.close()
     except OSError as error:
-        raise InvalidInput(
-            f"{path} cannot be written: {error.strerror or error}; choose another file with --out."
-        ) from error
+        said = error.strerror or str(error)
+        raise InvalidInput.of("out_file_unwritable", file=str(path), said=said) from error
 
 
 def write_file(path: Path, text: str) -> None:
@@ -118,12 +113,15 @@ def write_file(path: Path, text: str) -> None:
 
 
 def _existing(folder: Path) -> Path:
-    """The folder itself, or the closest one above it that exists."""
+    """The folder itself, or the closest one above it that exists.
+
+    Raises InvalidInput where a file is in the way.
+    """
     for candidate in (folder, *folder.absolute().parents):
         if candidate.is_dir():
             return candidate
         if candidate.exists() or candidate.is_symlink():
-            raise NotADirectoryError(20, f"{candidate} is a file")
+            raise InvalidInput.of("out_below_file", folder=str(folder), file=str(candidate))
     return Path.cwd()
 
 
@@ -134,15 +132,11 @@ def _refuse_foreign(folder: Path, names: Collection[str]) -> None:
     for name in names:
         path = folder / name
         if path.is_dir():
-            raise IsADirectoryError(21, f"{path} is a folder")
+            raise InvalidInput.of("out_folder_in_the_way", folder=str(folder), file=str(path))
         if (path.exists() or path.is_symlink()) and not manifest.is_made(path, made):
             foreign.append(name)
     if foreign:
-        it, which = ("it", "was") if len(foreign) == 1 else ("them", "were")
-        raise InvalidInput(
-            f"{folder} has {', '.join(sorted(foreign))} already, which {which} not made by an "
-            f"earlier run, or changed since; move {it} away, or choose another folder with --out."
-        )
+        raise InvalidInput.of("out_foreign", folder=str(folder), names=", ".join(sorted(foreign)))
 
 
 def _publish(stage: Stage, folder: Path, replaces: Sequence[str]) -> None:
