@@ -20,7 +20,7 @@ from kugelpendel.cli.output.stage import Unfinished
 from kugelpendel.errors import Language
 from kugelpendel.errors._sentences import read
 
-ROOMS = ("file_", "quantity_", "out_")
+ROOMS = ("file_", "quantity_", "out_", "derive_")
 """Kinds that only the command line says."""
 
 SWEEP = {
@@ -102,6 +102,14 @@ ARGUMENTS: dict[str, tuple[list[str], str]] = {
     "out_foreign": (["fit", "a.csv", "--out", "../mine"], "In ../mine liegt schon fit.json: nicht von einem früheren Lauf, oder seither geändert; "),
     "out_is_folder": (["derive", "3", "--format", "md", "--out", "."], ". lässt sich nicht schreiben: Es ist ein Ordner; nehmen Sie mit --out eine andere Datei."),
     "out_file_unwritable": (["derive", "3", "--out", "no/a.md"], "no/a.md lässt sich nicht schreiben: No such file or directory; "),
+    "derive_equation": (["derive", "7"], "Die Herleitung hat keine Gleichung '7'; in der Nähe sind (6), (6b), (6c), (8)."),
+    "derive_format": (["derive", "--format", "pdf"], "Das Format 'pdf' gibt es nicht; wählen Sie eines von html, md, latex, text."),
+    "derive_format_untold": (["derive", "--out", "a.doc"], "Der Name a.doc sagt nicht, welches Format gemeint ist; lassen Sie ihn auf .html, "),
+    "derive_two": (["derive", "--check", "--misprints"], "--check und --misprints sind zwei Befehle; geben Sie einen davon."),
+    "derive_json": (["derive", "--json"], "--json druckt, was --check oder --misprints findet; ergänzen Sie eines davon, "),
+    "derive_check": (["derive", "--check", "--out", "a.txt"], "schreibt eine Seite nur als HTML; lassen Sie --out weg."),
+    "derive_misprints": (["derive", "3", "--misprints"], "eine Liste in das Terminal; lassen Sie EQUATION weg."),
+    "derive_handout": (["derive", "3", "--handout"], "eine Datei, die auf .html endet; lassen Sie EQUATION weg."),
 }  # fmt: skip
 """Of each kind what is called, and a part of what is said."""
 

@@ -139,15 +139,12 @@ def _known_format(document_format: str | None, out: Path | None) -> str:
             return "text"
         by_suffix = {suffix: name for name, suffix in FORMATS.items()}
         if out.suffix not in by_suffix:
-            raise InvalidInput(
-                f"The name {out} does not tell the format; end it in "
-                f"{', '.join(by_suffix)}, or say --format."
-            )
+            endings = ", ".join(by_suffix)
+            raise InvalidInput.of("derive_format_untold", file=str(out), endings=endings)
         return by_suffix[out.suffix]
     if document_format not in FORMATS:
-        raise InvalidInput(
-            f"The format {document_format!r} is not known; choose one of {', '.join(FORMATS)}."
-        )
+        known = ", ".join(FORMATS)
+        raise InvalidInput.of("derive_format", seen=repr(document_format), known=known)
     return document_format
 
 
@@ -160,7 +157,7 @@ def known_label(equation: str) -> str:
     if label in labels or label in displays:
         return label
     near = ", ".join(f"({name})" for name in nearest(label, displays))
-    raise InvalidInput(f"The derivation has no equation {equation!r}; near it are {near}.")
+    raise InvalidInput.of("derive_equation", seen=repr(equation), near=near)
 
 
 def nearest(label: str, displays: list[str]) -> list[str]:

@@ -21,32 +21,22 @@ def refuse_mixture(options: argparse.Namespace) -> None:
     commands = [name for name in ("check", "misprints", "handout") if getattr(options, name)]
     if len(commands) > 1:
         first, second = commands[:2]
-        raise InvalidInput(f"--{first} and --{second} are two commands; give one of them.")
+        raise InvalidInput.of("derive_two", first=first, second=second)
     (command,) = commands or [""]
     if options.json and command not in ("check", "misprints"):
-        raise InvalidInput(
-            "--json prints what --check or --misprints finds; add one of them, or choose the form "
-            "of the derivation by --format."
-        )
+        raise InvalidInput.of("derive_json")
     if not command:
         return
     # the table of --check goes where a page on standard output would go
     is_stream = str(options.out) == "-" and command != "check"
     is_file = options.out is None or options.out.suffix == ".html"
     is_page = options.format in (None, "html") and (is_file or is_stream)
-    given = {"--format": options.format, "--out": options.out, "the equation": options.equation}
+    given = {"--format": options.format, "--out": options.out, "EQUATION": options.equation}
     useless = {
         "check": [] if is_page and not options.json else ["--format", "--out"],
-        "misprints": ["--format", "--out", "the equation"],
-        "handout": ["the equation"] if is_page else ["--format", "--out", "the equation"],
+        "misprints": ["--format", "--out", "EQUATION"],
+        "handout": ["EQUATION"] if is_page else ["--format", "--out", "EQUATION"],
     }[command]
     found = [name for name in useless if given[name] is not None]
     if found:
-        raise InvalidInput(f"{_WHAT[command]}; leave out {' and '.join(found)}.")
-
-
-_WHAT = {
-    "check": "--check prints one list to the terminal, and writes a page only as HTML",
-    "misprints": "--misprints prints one list to the terminal",
-    "handout": "--handout writes one page of the whole derivation, in a file that ends in .html",
-}
+        raise InvalidInput.of(f"derive_{command}", useless=", ".join(found))
