@@ -20,7 +20,7 @@ from kugelpendel.cli.output.stage import Unfinished
 from kugelpendel.errors import Language
 from kugelpendel.errors._sentences import read
 
-ROOMS = ("file_", "quantity_", "out_", "derive_")
+ROOMS = ("file_", "quantity_", "out_", "derive_", "option_", "follow_")
 """Kinds that only the command line says."""
 
 SWEEP = {
@@ -110,8 +110,26 @@ ARGUMENTS: dict[str, tuple[list[str], str]] = {
     "derive_check": (["derive", "--check", "--out", "a.txt"], "schreibt eine Seite nur als HTML; lassen Sie --out weg."),
     "derive_misprints": (["derive", "3", "--misprints"], "eine Liste in das Terminal; lassen Sie EQUATION weg."),
     "derive_handout": (["derive", "3", "--handout"], "eine Datei, die auf .html endet; lassen Sie EQUATION weg."),
+    "option_needed": (["fit", "--plan", "--rate", "30"], '--plan braucht --length; schreiben Sie etwa --length "3 m".'),
+    "option_positive": (["fit", "a.csv", "--length", "-1"], '--length ist -1 m; schreiben Sie einen positiven Wert, etwa "3 cm".'),
+    "option_number": (["fit", "a.csv", "--swings", "two"], "--swings ist 'two'; schreiben Sie eine Zahl über 3."),
+    "option_share": (["fit", "a.csv", "--tilt", "101 %"], "--tilt ist '101 %'; schreiben Sie Prozent von 0 bis unter 100, etwa 10."),
+    "option_columns": (["fit", "a.csv", "--columns", "time"], "--columns ist 'time'; schreiben Sie es wie time=t,x=cx,y=cy "),
+    "option_no_track": (["fit"], "Welche Spur? Schreiben Sie kugelpendel fit DATEI, "),
+    "option_plan_of_track": (["fit", "a.csv", "--plan"], "--plan ist für die Zeit, ehe es eine Spur gibt; "),
+    "follow_foreign": (["fit", "a.csv", "--follow", "--out", "../foreign"], "In ../foreign liegt schon swings.csv, das kein --follow dieser Datei gemacht hat; "),
+    "follow_unread": (["fit", "a.csv", "--follow", "--out", "../unread"], "../unread/follow.json lässt sich nicht lesen: "),
+    "follow_other": (["fit", "a.csv", "--follow", "--out", "../other"], "In ../other sind die Schwingungen von b.csv; nehmen Sie mit --out einen anderen Ordner."),
 }  # fmt: skip
 """Of each kind what is called, and a part of what is said."""
+
+THERE = {
+    "mine/fit.json": "{}",
+    "foreign/swings.csv": "",
+    "unread/follow.json": "{",
+    "other/follow.json": '{"file": "b.csv"}',
+}
+"""What is in the way of some."""
 
 
 @pytest.fixture
@@ -164,8 +182,9 @@ def test_of_a_file(call: Any, write: Any, kind: str) -> None:
 def test_of_what_is_called(call: Any, write: Any, kind: str) -> None:
     write({})
     Path("../taken/fit.json").mkdir(parents=True)
-    Path("../mine").mkdir()
-    Path("../mine/fit.json").write_text("{}")
+    for name, content in THERE.items():
+        Path("..", name).parent.mkdir()
+        Path("..", name).write_text(content)
     arguments, part = ARGUMENTS[kind]
     is_said(call(*arguments, "--lang", "de"), kind, part)
     assert list(Path.cwd().iterdir()) == []

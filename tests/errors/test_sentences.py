@@ -116,7 +116,7 @@ def test_every_sentence_uses_values_that_there_are(language: Language) -> None:
     # Those of recordings are provoked in tests/tracks, those of sweeps in tests/sweeps.
     rooms = ("track_", "columns_", "table_", "fit_", "synth_", "plan_", "sweep_")
     # Those of the command line in tests/cli/test_german.py.
-    rooms += ("file_", "quantity_", "out_", "derive_")
+    rooms += ("file_", "quantity_", "out_", "derive_", "option_", "follow_")
     others |= {kind for kind in tables["kinds"] if kind.startswith(rooms)}
     assert set(tables["kinds"]) == set(CORE) | set(PYTHON) | others
     assert set(tables["quantities"]) == set(read("en")["quantities"])

@@ -41,7 +41,8 @@ REFUSED: dict[str, list[tuple[bytes | str | list[str], dict[str, Any]]]] = {
         (["t;x;y", *(f"{i // 3};{i % 7};{i % 5}" for i in range(99))], {}),
     ],
     "track_motionless": [(["t;x;y", *(f"{i / 30:.4f};0.31;0.2" for i in range(90))], {})],
-    "track_trk": [("<?xml version='1.0'?><a><b></a>", {}), ("<?xml version='1.0'?><a/>", {})],
+    "track_trk": [("<?xml version='1.0'?><a><b></a>", {})],
+    "track_trk_no_mass": [("<?xml version='1.0'?><a/>", {})],
     "track_trk_entities": [(project(ENTITY, "&e;"), {})],
 }  # fmt: skip
 

@@ -58,11 +58,9 @@ def read_options(options: argparse.Namespace) -> Asked:
     gravity = quantity(options, "gravity", ACCELERATION)
     if gravity is None:
         gravity = _STANDARD_GRAVITY if latitude is None else float(Site(latitude).gravity)
-    if gravity <= 0:
-        raise InvalidInput(f'--gravity is {gravity:g} m/s²; write a positive one, such as "9.81".')
     length = quantity(options, "length", LENGTH)
-    if length is not None and length <= 0:
-        raise InvalidInput(f'--length is {length:g} m; write a positive one, such as "2.4 m".')
+    _require_positive(gravity, "gravity", ACCELERATION)
+    _require_positive(length, "length", LENGTH)
     y_down = True if options.y_down else False if options.y_up else None
     return Asked(
         {
@@ -101,12 +99,16 @@ def needed(options: argparse.Namespace, name: str, kind: Kind, example: str) -> 
     """An option without which there is no answer."""
     value = quantity(options, name, kind)
     if value is None:
-        raise InvalidInput(
-            f'--plan needs {_option(name)}; write, for example, {_option(name)} "{example}".'
-        )
-    if value <= 0:
-        raise InvalidInput(f"{_option(name)} is {value:g} {kind.unit}; write a positive one.")
+        raise InvalidInput.of("option_needed", option=_option(name), example=example)
+    _require_positive(value, name, kind)
     return value
+
+
+def _require_positive(value: float | None, name: str, kind: Kind) -> None:
+    if value is not None and value <= 0:
+        raise InvalidInput.of(
+            "option_positive", seen=value, option=_option(name), si=kind.unit, example=kind.example
+        )
 
 
 def half_life(options: argparse.Namespace) -> float | None:
@@ -124,7 +126,7 @@ def number_of(text: str, option: str, *, least: float) -> float:
     """What is written after an option: a plain number above some least one."""
     value = _float(text)
     if value is None or not least < value < float("inf"):
-        raise InvalidInput(f"{option} is {text!r}; write a number above {least:.3g}.")
+        raise InvalidInput.of("option_number", option=option, seen=repr(text), least=least)
     return value
 
 
@@ -133,9 +135,7 @@ def share(options: argparse.Namespace, name: str) -> float:
     text: str = getattr(options, name)
     value = _float(text.strip().removesuffix("%").strip())
     if value is None or not 0 <= value < 100:
-        raise InvalidInput(
-            f"{_option(name)} is {text!r}; write per cent from 0 to below 100, such as 10."
-        )
+        raise InvalidInput.of("option_share", option=_option(name), seen=repr(text))
     return value / 100
 
 
@@ -153,9 +153,7 @@ def _columns(text: str | None) -> dict[str, str | int] | None:
     for part in re.split(r",(?=\s*\w+\s*=)", text):
         role, equals, name = part.partition("=")
         if not equals or not role.strip() or not name.strip():
-            raise InvalidInput(
-                f"--columns is {text!r}; write it like time=t,x=cx,y=cy, or time=1,x=2,y=3."
-            )
+            raise InvalidInput.of("option_columns", seen=repr(text))
         found[role.strip()] = name.strip()
     return found
 

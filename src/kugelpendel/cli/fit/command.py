@@ -57,9 +57,7 @@ def fit(options: argparse.Namespace) -> int:
 
         return plan(options, asked)
     if options.track is None:
-        raise kp.InvalidInput(
-            "Which track? Write kugelpendel fit FILE, or --plan before there is one."
-        )
+        raise kp.InvalidInput.of("option_no_track")
     if options.follow:
         from kugelpendel.cli.fit.follow import follow
 

@@ -215,10 +215,7 @@ class _Kept:
         path = folder / LINES
         if path.exists():
             if state is None:
-                raise kp.InvalidInput(
-                    f"{folder} has {LINES} already, which no --follow of this file has made; "
-                    "choose another folder with --out."
-                )
+                raise kp.InvalidInput.of("follow_foreign", folder=str(folder), name=LINES)
             self._mend(path)
         if state and (place := state.get("place")):
             self.place = Place(int(place["context"]), int(place["offset"]), float(place["time"]))
@@ -232,13 +229,12 @@ class _Kept:
         except FileNotFoundError:
             return None
         except (OSError, ValueError) as error:
-            raise kp.InvalidInput(
-                f"{self._folder / STATE} cannot be read: {error}; choose another folder with --out."
+            raise kp.InvalidInput.of(
+                "follow_unread", file=str(self._folder / STATE), said=str(error)
             ) from error
         if state.get("file") != self._file:
-            raise kp.InvalidInput(
-                f"{self._folder} has the swings of {state.get('file')}; choose another folder with "
-                "--out."
+            raise kp.InvalidInput.of(
+                "follow_other", folder=str(self._folder), file=str(state.get("file"))
             )
         return state
 

@@ -34,12 +34,10 @@ def plan(options: argparse.Namespace, asked: Asked) -> int:
         The length, the swing, the noise or the rate is missing.
     """
     if options.track is not None:
-        raise kp.InvalidInput(
-            "--plan is for before there is a track; leave out the file or --plan."
-        )
+        raise kp.InvalidInput.of("option_plan_of_track")
     rate = number(options, "rate", least=0.0)
     if rate is None:
-        raise kp.InvalidInput("--plan needs --rate, the frames a second, such as --rate 30.")
+        raise kp.InvalidInput.of("option_needed", option="--rate", example="30")
     found = kp.tracks.plan(
         needed(options, "length", LENGTH, "3 m"),
         a=needed(options, "a", LENGTH, "15 cm"),

@@ -21,7 +21,7 @@ def read_parquet(file: Path) -> Sheet:
     InvalidInput
         It cannot be read, or has no rows.
     """
-    require_extra("fit", f"the Parquet file {file.name}", "pandas", "pyarrow")
+    require_extra("fit", file.name, "pandas", "pyarrow")
     import pandas as pd
 
     try:

@@ -24,7 +24,7 @@ def read_project(content: bytes, file: str) -> Sheet:
     InvalidInput
         It is no such project, has no mass, or has entities, which a project never needs.
     """
-    require_extra("fit", f"the Tracker project {file}", "defusedxml")
+    require_extra("fit", file, "defusedxml")
     from defusedxml.common import DefusedXmlException
     from defusedxml.ElementTree import fromstring
 
@@ -40,7 +40,7 @@ def read_project(content: bytes, file: str) -> Sheet:
     ]
     bodies = [(name, steps) for name, steps in bodies if len(steps)]
     if not bodies:
-        raise InvalidInput.of("track_trk", file=file, what="it has no point mass with positions")
+        raise InvalidInput.of("track_trk_no_mass", file=file)
     clip, control = _one(root, "VideoClip"), _one(root, "StepperClipControl")
     step = max(1, int(_number(clip, "stepsize", 1.0)))
     start = _number(clip, "startframe", 0.0)
