@@ -15,6 +15,7 @@ import pytest
 from tests.cli.conftest import Outcome
 
 import kugelpendel as kp
+from kugelpendel.cli import main
 from kugelpendel.cli.output import files
 from kugelpendel.cli.output.stage import Unfinished
 from kugelpendel.errors import Language
@@ -120,6 +121,9 @@ ARGUMENTS: dict[str, tuple[list[str], str]] = {
     "follow_foreign": (["fit", "a.csv", "--follow", "--out", "../foreign"], "In ../foreign liegt schon swings.csv, das kein --follow dieser Datei gemacht hat; "),
     "follow_unread": (["fit", "a.csv", "--follow", "--out", "../unread"], "../unread/follow.json lässt sich nicht lesen: "),
     "follow_other": (["fit", "a.csv", "--follow", "--out", "../other"], "In ../other sind die Schwingungen von b.csv; nehmen Sie mit --out einen anderen Ordner."),
+    "option_no_name": (["fit", ""], "Ein leerer Name nennt weder Datei noch Ordner; "),
+    "option_no_user": (["derive", "--out", "~nobody-of-that-name/a.md"], "~nobody-of-that-name/a.md: Es gibt niemanden, der so heißt; "),
+    "option_several_files": (["sweep", "a.toml", "--out", "-"], "--out -: Mehrere Dateien passen nicht in die Standardausgabe; "),
 }  # fmt: skip
 """Of each kind what is called, and a part of what is said."""
 
@@ -236,6 +240,51 @@ def test_of_a_folder_that_takes_nothing(
     is_said(Outcome(2, "", raised.value.sentence("de", "file")), kind, part)
 
 
+def test_of_standard_output(monkeypatch: pytest.MonkeyPatch, capsys: Any) -> None:
+    class Full(io.StringIO):
+        def write(self, _: str) -> int:
+            raise FULL
+
+    monkeypatch.setattr(sys, "stdout", Full())
+    code = main(["derive", "--misprints", "--lang", "de"])
+    part = "Die Standardausgabe nimmt nichts auf: No space left on device; "
+    is_said(Outcome(code, "", capsys.readouterr().err), "out_stream", part)
+
+
+def test_of_a_command_that_is_broken(call: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "kugelpendel.cli.derive.command", None)
+    outcome = call("derive", "--lang", "de")
+    part = "`kugelpendel derive` lässt sich nicht ausführen: import of kugelpendel.cli.derive"
+    is_said(outcome, "option_cannot_run", part)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--lang", "fr", "--out", "-"], "several files do not fit"),
+        (["--lang=de", "--out", "-"], "Mehrere Dateien passen nicht"),
+        (["--out", "-", "--lang"], "several files do not fit"),
+    ],
+)
+def test_the_language_of_arguments_that_are_refused(
+    call: Any, arguments: list[str], said: str
+) -> None:
+    outcome = call("sweep", "a.toml", *arguments)
+    assert outcome.code == 2
+    assert said in outcome.err
+
+
+def test_a_command_of_one_language_refuses_in_it(
+    call: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("LC_ALL", "de_DE.UTF-8")
+    assert "several files do not fit" in call("run", "a.toml", "--out", "-").err
+    assert "Mehrere Dateien passen nicht" in call("sweep", "a.toml", "--out", "-").err
+
+
+SAID = {*FILES, *ARGUMENTS, *STDIN, *MOVES, "out_stream", "option_cannot_run"}
+
+
 def test_none_is_left_out() -> None:
     kinds = {kind for kind in read("de")["kinds"] if kind.startswith(ROOMS)}
-    assert kinds <= {*FILES, *ARGUMENTS, *STDIN, *MOVES}
+    assert kinds == {kind for kind in SAID if kind.startswith(ROOMS)}

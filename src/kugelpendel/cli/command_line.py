@@ -48,11 +48,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
         Exit code: 0, 1 when a proof fails, 2 for bad input (with a sentence on stderr), 130 when
         interrupted.
     """
+    options = argparse.Namespace()
     try:
         with streams.guarded():
-            return _answered(_parser().parse_args(arguments))
-    except (streams.Unwritable, Refused) as error:
-        return _refuse(str(error))
+            options = _parser().parse_args(arguments)
+            return _answered(options)
+    except Refused as error:
+        return _refuse(error.what.sentence(_language(error.options), door="file"))
+    except streams.Unwritable as error:
+        return _refuse(error.what.sentence(_language(options), door="file"))
     except BrokenPipeError:
         return 0  # whoever read has had enough
 
@@ -112,7 +116,8 @@ def _not_installed(error: ImportError, options: argparse.Namespace) -> str:
         require_extra(options.extra, what)
     except MissingExtra as missing:
         return missing.sentence(_language(options), door="file")
-    return f"{what} cannot be run: {error}"
+    broken = MissingExtra.of("option_cannot_run", what=what, said=str(error))
+    return broken.sentence(_language(options), door="file")
 
 
 def _refuse(sentence: str) -> int:

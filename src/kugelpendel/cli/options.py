@@ -8,6 +8,8 @@ import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
+from kugelpendel.errors import InvalidInput
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -41,7 +43,15 @@ class CommandParser(argparse.ArgumentParser):
     ) -> Any:
         """Read the words behind the command."""
         self._add(self)
-        return super().parse_known_args(args, namespace)
+        try:
+            return super().parse_known_args(args, namespace)
+        except Refused as refused:
+            # The language may stand behind what is refused.
+            rest = argparse.ArgumentParser(add_help=False)
+            if any(action.dest == "lang" for action in self._actions):
+                rest.add_argument("--lang", nargs="?")
+            refused.options = rest.parse_known_args(args)[0]
+            raise
 
 
 class Commands(Protocol):
@@ -61,32 +71,41 @@ class Commands(Protocol):
 
 
 class Refused(Exception):
-    """An argument that makes no sense; the message is the sentence to say.
+    """An argument that makes no sense.
 
     It is none of the errors of which argparse would make a line of its own.
+
+    Parameters
+    ----------
+    what
+        The error to say.
+
+    Attributes
+    ----------
+    options
+        The language that was asked for, where the command has several.
     """
+
+    def __init__(self, what: InvalidInput) -> None:
+        super().__init__(what)
+        self.what = what
+        self.options = argparse.Namespace()
 
 
 def a_path(text: str) -> Path:
     """A path, in which ``~`` is the user's folder; ``-`` stays what it is."""
     if not text:
-        raise Refused("an empty name names no file or folder; write . for the present folder.")
+        raise Refused(InvalidInput.of("option_no_name"))
     try:
         return Path(text).expanduser()
     except RuntimeError as error:  # no such user, or one without a folder
-        raise Refused(
-            f"{text}: there is no user of that name; write ~ alone for your own folder, or "
-            f"./{text} for a file whose name begins so."
-        ) from error
+        raise Refused(InvalidInput.of("option_no_user", file=text)) from error
 
 
 def a_folder(text: str) -> Path:
     """A folder for several files, which standard output cannot be."""
     if text == "-":
-        raise Refused(
-            "--out -: several files do not fit into standard output; --json prints the results "
-            "there, and ./- is a folder of that name."
-        )
+        raise Refused(InvalidInput.of("option_several_files"))
     return a_path(text)
 
 

@@ -77,10 +77,13 @@ def test_a_full_device_gets_a_sentence(
     with Path("/dev/full").open("w") as full:
         done = program(*EXAMPLE[name], cwd=tmp_path, stdout=full)
     assert done.returncode == 2
-    assert done.stderr == (
-        b"kugelpendel: standard output cannot be written: No space left on device; the files, if "
-        b"any, are complete.\n"
-    )
+    said = {
+        "en": "standard output cannot be written: No space left on device; the files, if any, are "
+        "complete.",
+        "de": "Die Standardausgabe nimmt nichts auf: No space left on device; die Dateien, falls "
+        "es welche gibt, sind vollständig.",
+    }["de" if "de" in EXAMPLE[name] else "en"]
+    assert done.stderr.decode() == f"kugelpendel: {said}\n"
     if name == "run":
         assert (tmp_path / "o" / "results.json").exists()
 

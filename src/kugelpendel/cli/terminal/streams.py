@@ -11,6 +11,8 @@ import re
 import sys
 from typing import TYPE_CHECKING, Any, TextIO, cast
 
+from kugelpendel.errors import KugelpendelError
+
 if TYPE_CHECKING:
     from collections.abc import Generator
 
@@ -51,10 +53,21 @@ _PLAIN = {
 _CLOSED = (
     "standard output is closed, so nothing can be said; leave it open, or send it to a file with >."
 )
+"""This is said before the options are read, and so in English."""
 
 
 class Unwritable(Exception):
-    """Standard output takes no text; the message is the sentence to say."""
+    """Standard output takes no text.
+
+    Parameters
+    ----------
+    what
+        The error to say.
+    """
+
+    def __init__(self, what: KugelpendelError) -> None:
+        super().__init__(what)
+        self.what = what
 
 
 class _Guarded:
@@ -87,7 +100,7 @@ def guarded() -> Generator[None]:
     """
     stdout = sys.stdout
     if stdout is None or stdout.closed:
-        raise Unwritable(_CLOSED)
+        raise Unwritable(KugelpendelError(_CLOSED))
     for stream in (stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper) and not _is_unicode(stream.encoding):
             stream.reconfigure(errors=_HANDLER)
@@ -116,10 +129,8 @@ def _told() -> Generator[None]:
         raise
     except OSError as error:
         _give_up()
-        raise Unwritable(
-            f"standard output cannot be written: {error.strerror or error}; the files, if any, "
-            "are complete."
-        ) from error
+        said = error.strerror or str(error)
+        raise Unwritable(KugelpendelError.of("out_stream", said=said)) from error
 
 
 def complain(sentence: str) -> None:
