@@ -4,9 +4,8 @@
 
 use crate::numbers::arithmetic::Arithmetic;
 use crate::taylor::layout::{Alone, Layout};
-use crate::taylor::series::{
-    Coefficients, Point, RECIPROCALS, Series, VectorField, dot, inner_square, inner_terms, product, square, total,
-};
+use crate::taylor::products::{dot, inner_square, inner_terms, product, square, total};
+use crate::taylor::series::{Coefficients, Point, RECIPROCALS, Series, VectorField};
 
 /// Which of the paper's two equations of motion is integrated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

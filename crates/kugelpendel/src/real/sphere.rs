@@ -8,9 +8,11 @@ use crate::numbers::arithmetic::{Arithmetic, horner};
 use crate::numbers::lanes::{Lanes, Number};
 use crate::taylor::events::{PIECES, Passages, Piece, SpeedSquaredRate, first_passages};
 use crate::taylor::layout::{Alone, Layout, Several};
+use crate::taylor::products::{
+    early_terms_of_two, inner_square, product, square, square_and_early_terms, total, with_last_term,
+};
 use crate::taylor::series::{
-    Coefficients, ORDER, Point, RECIPROCALS, Series, SeriesOf, VectorField, Vectors, early_terms_of_two, inner_square,
-    polynomial, product, square, square_and_early_terms, total, with_last_term,
+    Coefficients, ORDER, Point, RECIPROCALS, Series, SeriesOf, VectorField, Vectors, polynomial,
 };
 
 /// Speeds, in lω0, that quadratic drag does not tell from rest: |v| has no series at v = 0, √(v² + s²) has, and the

@@ -8,7 +8,8 @@ use crate::real::problem::Problem;
 use crate::real::sphere::{FieldKind, SphereTerms, slowest_point};
 use crate::taylor::events::{Beyond, Guard, Outside, Outward, first};
 use crate::taylor::layout::{Alone, Layout};
-use crate::taylor::series::{Point, Series, reach};
+use crate::taylor::reach::reach;
+use crate::taylor::series::{Point, Series};
 use crate::taylor::step::{Checkpoint, Ending, Step, ThreadChange};
 
 /// In 1/ω0. Longer steps are never worth their last terms, and an event could come and go within.

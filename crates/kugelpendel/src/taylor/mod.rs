@@ -2,6 +2,8 @@
 
 pub(crate) mod events;
 pub(crate) mod layout;
+pub(crate) mod products;
+pub(crate) mod reach;
 pub(crate) mod series;
 pub(crate) mod step;
 pub(crate) mod sweep;

@@ -1,4 +1,4 @@
-"""Where the time of ensembles goes, by the files of the core: ``python benchmarks/shares.py``.
+"""Where the time of ensembles goes, by the core's files: ``python -m sweeps.shares`` in benchmarks.
 
 The core is built once more with line tables, `perf` takes samples of one thread, and addr2line
 says to which file each belongs: the first one, from the innermost call outwards, that is not among
@@ -19,7 +19,7 @@ from pathlib import Path
 
 from report import Table, grid
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 SOURCES = "crates/kugelpendel/src/"
 SECONDS = 4.0
 LEAST = 0.02
@@ -82,7 +82,7 @@ def build() -> Path:
 
 def sampled(core: Path, work: str, data: Path) -> tuple[float, collections.Counter[str]]:
     """Seconds of one run, and the samples of each source file or library."""
-    here = str(Path(__file__).parent)
+    here = str(Path(__file__).parents[1])
     script = _WORK.format(core=str(core), here=here, seconds=SECONDS, work=work)
     record = ["perf", "record", "--quiet", "--output", str(data), sys.executable, "-c", script]
     environment = {**os.environ, "RAYON_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
