@@ -44,6 +44,23 @@ push = "1e-5 m/s"
 phase = 0.4
 """
 
+SWEEP = """
+[pendulum]
+length = "1 m"
+[launch]
+kind = "ellipse"
+a = { uniform = ["1 cm", "10 cm"] }
+b = "1 mm"
+[site]
+latitude = "45 deg"
+[sweep]
+design = "sample"
+count = 1000000
+motion = "real"
+quantities = ["azimuth", "averaging_error"]
+times = ["1 h"]
+"""
+
 GERMAN = "derive German"
 COMMANDS = {
     "run": (["run"], JOB.format(forces="", duration="250 h", step="10 ms")),
@@ -51,6 +68,7 @@ COMMANDS = {
     "compare": (["compare"], JOB.format(forces="", duration="40000 s", step="1 s")),
     "design": (["design"], DESIGN),
     "synth": (["synth", "--rate", "300"], JOB.format(forces=DRAG, duration="40 h", step="1 s")),
+    "sweep": (["sweep"], SWEEP),
     "derive": (["derive", "--format", "html"], None),
     "derive check": (["derive", "--check"], None),
     GERMAN: (["derive", "--format", "html", "--lang", "de"], None),
@@ -60,12 +78,31 @@ SETTING = """
 import numpy as np
 import kugelpendel as kp
 l, many = kp.Pendulum(1.0), np.linspace(0.1, 0.2, {n})
+ground = dict(site=kp.Site(0.8), suspension=kp.Suspension(1e-5, 0.3))
 """
+TINY = (
+    "kp.EnvelopeMotion(kp.Pendulum(1e-6), kp.Launch.ellipse({a}, 3e-8), site=kp.Site(0.04),"
+    " suspension=kp.Suspension(30.0)).settled()"
+)
+"""A day of the Earth is long for so short a pendulum."""
+
 CALLS = {
     "envelope": "kp.EnvelopeMotion(l, kp.Launch.ellipse(0.1, 0.03), drag=kp.Drag(1e-9),"
     " suspension=kp.Suspension(1e-3)).azimuth(1e9)",
     "envelopes": "kp.EnvelopeMotion(l, kp.Launch.ellipse(many[:1000], 0.03), drag=kp.Drag(1e-9),"
     " suspension=kp.Suspension(1e-3)).azimuth(1e8)",
+    "settled": TINY.format(a="1e-7"),
+    "settled ones": TINY.format(a="1e-6 * many"),
+    "orbits": "kp.EnvelopeMotion(l, kp.Launch.ellipse(np.repeat(many, 100), 0.03), **ground)"
+    ".clamp_orbits()",
+    "course": "kp.EnvelopeMotion(l, kp.Launch.ellipse(0.1, 0.03), **ground).course(1e9)",
+    "courses": "kp.EnvelopeMotion(l, kp.Launch.ellipse(many, 0.03), **ground).course(1e9)",
+    "pace": "kp.EnvelopeMotion(l, kp.Launch.ellipse(0.1, 0.03), **ground).pace(0.0, 1e9)",
+    "paces": "kp.EnvelopeMotion(l, kp.Launch.ellipse(many, 0.03), **ground).pace(0.0, 1e9)",
+    "real course": "kp.RealMotion(l, kp.Launch.ellipse(0.1, 0.03), **ground)"
+    ".course(np.array([0.0, 1e8]))",
+    "real courses": "kp.RealMotion(l, kp.Launch.ellipse(many, 0.03), **ground)"
+    ".course(np.linspace(0.0, 1e5, 60000))",
     "plane": "kp.PlaneMotion(l, kp.Launch.ellipse(0.1, 0.03)).position(1e8)",
     "cubic": "kp.CubicMotion(l, kp.Launch.ellipse(0.1, 0.03)).position(1e8)",
     "real": "kp.RealMotion(l, kp.Launch.ellipse(0.1, 0.03), drag=kp.Drag(1e-9)).position(1e8)",
@@ -80,6 +117,9 @@ CALLS = {
 
 DELAYS = (0.3, 1.2)
 """s after the start of the work; a call that is over sooner begins again."""
+
+LATE = 4.0
+"""s after which a sweep has begun with its cases, and not only to import what it needs."""
 
 NOTICED = 0.2
 """s after which somebody notices that nothing has happened."""
@@ -99,7 +139,10 @@ def test_a_call_is_interrupted(name: str, delay: float) -> None:
 # What is interrupted before its arguments are read knows no language, so German is asked late only.
 @pytest.mark.parametrize(
     ("name", "delay"),
-    [(name, delay) for name in COMMANDS for delay in DELAYS if name != GERMAN or delay > 1],
+    [
+        *((name, delay) for name in COMMANDS for delay in DELAYS if name != GERMAN or delay > 1),
+        ("sweep", LATE),
+    ],
 )
 def test_a_command_is_interrupted(name: str, delay: float, tmp_path: Path) -> None:
     words, job = COMMANDS[name]
@@ -115,7 +158,8 @@ def test_a_command_is_interrupted(name: str, delay: float, tmp_path: Path) -> No
         r"abgebrochen; keine Datei ist halb geschrieben"
         if "de" in words
         else r"interrupted(; no file is left half-written"
-        r"| before the first sample; nothing is written| after .* in out/job-interrupted)"
+        r"| before the first sample; nothing is written| after .* in out/job-interrupted"
+        r"|; [\d ]+ of 1 000 000 cases are done and kept in out/job\. The same command goes on: .*)"
     )
     assert re.search(f"^kugelpendel: {kept}", said, re.MULTILINE), said
     # A folder with what is done so far has its manifest, as every folder that a command fills.

@@ -2,6 +2,7 @@
 
 use crate::given::{Columned, Named};
 use crate::portrait::word;
+use crate::signal::Signal;
 use kugelpendel::{
     Cause, Decay, EnvelopeMotion, ExactMotion, Invalid, Launch, Pendulum, PrecessionBudget, settle, stretches,
 };
@@ -83,12 +84,9 @@ pub(crate) fn settled(
     acting: Columned<'_>,
 ) -> PyResult<Option<SettledRow>> {
     let motion = averaged(pendulum, ellipse, &acting)?;
-    let mut signal = Ok(());
-    let found = settle(&motion, || {
-        signal = py.check_signals();
-        signal.is_ok()
-    });
-    signal?;
+    let signal = Signal::default();
+    let found = py.detach(|| settle(&motion, &|| signal.ends_work()));
+    signal.raised()?;
     Ok(found.map(|s| (word(s.verdict), s.from, s.until, s.turned, s.azimuths, s.widest, s.amplitude, s.dies)))
 }
 

@@ -73,11 +73,11 @@ impl EnvelopeMotions {
         let mut ends = vec![f64::NAN; self.motions.len()];
         let size = what.width() * times.len();
         let row = |index: usize, row: &mut [f64], end: &mut f64, stop: Stop<'_>| {
+            if stop() {
+                return; // nobody sees the array, of which to touch the rest may take long
+            }
             row.fill(f64::NAN);
             let Ok(motion) = &self.motions[index] else { return };
-            if stop() {
-                return;
-            }
             let mut walks = lock(&self.walks[index]);
             if let Err(Halt::Ended(time, _)) = motion.fill(what, times, row, &mut walks, stop) {
                 *end = time;
@@ -103,7 +103,7 @@ impl EnvelopeMotions {
     /// whether the swing dies away. NaN where it cannot be told.
     fn settled<'py>(&self, py: Python<'py>) -> PyResult<Numbers<'py>> {
         self.each(py, |motion, stop| {
-            let s = settle(motion, || !stop())?;
+            let s = settle(motion, stop)?;
             let ([low, high], dies) = (s.azimuths, f64::from(s.dies));
             Some([number(s.verdict), s.from, s.until, s.turned, low, high, s.widest, s.amplitude, dies])
         })

@@ -288,15 +288,18 @@ impl Stepped<RealMotion> {
         let stretches: Vec<_> = (0..count).map(|index| Follower::stretches(&given(index).0, times)).collect();
         let mut pulls = vec![f64::NAN; 2 * count];
         let array = new_array(py, width * count, |out| {
-            out.fill(f64::NAN);
+            let stop = || signal.has_arrived();
             let rows = out.chunks_mut(width).zip(pulls.chunks_mut(2)).enumerate();
             let cases = rows.filter_map(|(index, (row, tension))| {
+                if stop() {
+                    return None; // nobody sees the array, of which to touch the rest may take long
+                }
+                row.fill(f64::NAN);
                 let follower = Follower::new(given(index), &stretches[index]);
                 let readings = Readings { tension, ..follower.readings()? };
                 let (motion, walk) = self.taken(index)?;
                 Some(Case { tag: (follower, (index, row)), motion, readings, walk })
             });
-            let stop = || signal.has_arrived();
             signal.watch(|| {
                 self.shared_out(cases, |cases, at_once| {
                     let mut done = |case: Case<'_, RealMotion, (Follower<'_>, (usize, &mut [f64]))>, halted| {

@@ -114,7 +114,7 @@ pub unsafe extern "C" fn portrait_verdicts(
 /// told, and 2 where it cannot be told: without a turning ground, and where it would take too long.
 #[unsafe(no_mangle)]
 pub extern "C" fn settles() -> u32 {
-    let found = Motion::new(AVERAGED).map(|motion| motion.averaged().and_then(|motion| settle(motion, || true)));
+    let found = Motion::new(AVERAGED).map(|motion| motion.averaged().and_then(|motion| settle(motion, &|| false)));
     match found {
         Err(invalid) => {
             refuse(&invalid);

@@ -4,6 +4,7 @@ use crate::envelope::{Envelope, EnvelopeMotion, EnvelopeWalks};
 use crate::given::decay::Decay;
 use crate::plane::budget::STALL;
 use crate::plane::portrait::Verdict;
+use crate::taylor::walk::{Halt, Stop};
 use std::f64::consts::{PI, TAU};
 
 /// A driven swing is looked at after so many times the decay time of its amplitude.
@@ -48,21 +49,21 @@ pub struct Settled {
 
 /// Follows a motion until it shows what its plane comes to. `None` without a turning ground, where the motion ends or a drive
 /// brakes it to less than a push alone makes a bob at rest swing by before it is looked at, where that would take longer than
-/// 120 days, and where `go_on`, which is asked all the time, says no.
-pub fn settle(motion: &EnvelopeMotion, mut go_on: impl FnMut() -> bool) -> Option<Settled> {
+/// 120 days, and where `stop`, which is asked all the time, says so.
+pub fn settle(motion: &EnvelopeMotion, stop: Stop<'_>) -> Option<Settled> {
     let (pendulum, forces, drive) = motion.given();
     let (omega0, rotation) = (pendulum.angular_frequency(), forces.rotation[1]);
     if rotation == 0.0 {
         return None;
     }
     let mut walks = EnvelopeWalks::default();
-    let mut read = |time: f64| {
+    let mut read = |time: f64| -> Result<_, Halt> {
         let mut ellipse = [f64::NAN; 3];
-        let held = motion.fill(Envelope::Ellipse, &[time], &mut ellipse, &mut walks, &|| false).is_ok();
+        motion.fill(Envelope::Ellipse, &[time], &mut ellipse, &mut walks, stop)?;
         let [a, b, azimuth] = ellipse;
-        held.then_some((azimuth, [a, b]))
+        Ok((azimuth, [a, b]))
     };
-    let (_, [a, _]) = read(0.0)?;
+    let (_, [a, _]) = read(0.0).ok()?;
     let decay = Decay::new(forces.damping, forces.quadratic, omega0);
     let stroke = drive.push().abs() / omega0;
     let driven = stroke > 0.0;
@@ -75,18 +76,15 @@ pub fn settle(motion: &EnvelopeMotion, mut go_on: impl FnMut() -> bool) -> Optio
     if from + windows as f64 * window > LONGEST {
         return None;
     }
-    for reading in 0..READINGS {
-        if !go_on() {
-            return None;
-        }
-        if from > 0.0 {
-            let (_, [left, _]) = read(from * reading as f64 / READINGS as f64)?;
+    if from > 0.0 {
+        for reading in 0..READINGS {
+            let (_, [left, _]) = read(from * reading as f64 / READINGS as f64).ok()?;
             if left < stroke {
                 return None;
             }
         }
     }
-    let (first, axes) = read(from)?;
+    let (first, axes) = read(from).ok()?;
     let mut settled = Settled {
         verdict: Verdict::ToAndFro,
         from,
@@ -102,10 +100,11 @@ pub fn settle(motion: &EnvelopeMotion, mut go_on: impl FnMut() -> bool) -> Optio
         settled.widest = 0.0;
         for reading in 1..=READINGS {
             let time = from + window * (index as f64 + reading as f64 / READINGS as f64);
-            if !go_on() {
-                return None;
-            }
-            let Some((azimuth, [a, b])) = read(time) else { return Some(settled) };
+            let (azimuth, [a, b]) = match read(time) {
+                Ok(ellipse) => ellipse,
+                Err(Halt::Ended(..)) => return Some(settled),
+                Err(Halt::Interrupted) => return None,
+            };
             settled.until = time;
             settled.turned = azimuth - first;
             settled.azimuths = [settled.azimuths[0].min(azimuth), settled.azimuths[1].max(azimuth)];
