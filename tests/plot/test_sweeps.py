@@ -92,6 +92,13 @@ def test_a_third_number_goes_from_panel_to_panel() -> None:
     assert figure.axes[3].get_xlabel() == "unevenness of the clamp δ, rad/s"
 
 
+def test_of_very_many_levels_evenly_spread_ones_are_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("kugelpendel.plot.sweeps._plane._CELLS", 4)
+    (mesh,) = meshes(plot.sweeps.values_map(grid(), "azimuth").axes[0])
+    seen = np.degrees(grid()["azimuth"].values[::3, ::3, 0, 1].T)
+    np.testing.assert_allclose(mesh.get_array().filled(math.nan), seen)
+
+
 def test_regions_have_tint_hatch_and_the_border_of_the_portrait() -> None:
     figure = plot.sweeps.regions(grid(3), "stalls", "clamp_stalls", "Where it stalls")
     assert legend(figure) == ["the plane goes round", "it stalls", "border by the portrait"]
@@ -129,6 +136,19 @@ def test_a_curve_over_one_number() -> None:
     np.testing.assert_allclose(x, np.geomspace(1e-6, 1e-3, 9))
     np.testing.assert_allclose(y, np.degrees(data["azimuth"].values[:, 0, 0, 1]))
     assert axes.get_ylabel() == "azimuth, °"
+
+
+def test_of_very_many_cases_evenly_spread_ones_are_sorted(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("kugelpendel.sweeps._reductions.MOST_SORTED", 1000)
+    values = np.random.default_rng(1).normal(-1.5, 0.1, 20_007)
+    values[:7] = math.nan
+    (axes,) = plot.sweeps.distribution(values, "azimuth", "rad").axes
+    places = [line.get_xdata()[0] for line in axes.lines]
+    sorted_ones = np.degrees(values[7::20])
+    np.testing.assert_allclose(
+        places, np.quantile(sorted_ones, [0.05, 0.5, 0.95], method="inverted_cdf"), rtol=1e-14
+    )
+    assert "7 of 20 007 cases have no answer" in [text.get_text() for text in axes.texts]
 
 
 def test_a_distribution_has_its_quantiles_and_counts_what_is_left_out() -> None:

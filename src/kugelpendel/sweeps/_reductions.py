@@ -6,7 +6,7 @@ the same to the last bit whoever has done the chunks and when.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,8 @@ from kugelpendel.sweeps.cases._cost import LEAF, bytes_each
 
 if TYPE_CHECKING:
     from kugelpendel.sweeps.cases import Sweep
+
+_Any = TypeVar("_Any", bound=np.generic)
 
 FIELDS = ("count", "infinite", "mean", "m2", "m3", "m4", "least", "most")
 """What is kept for the moments: of the finite values their count, mean, sums of the second to
@@ -35,6 +37,9 @@ BINS = 2 * (_SIZES + 1) + 1
 
 QUANTILE_ERROR = 2.0 ** -(_MANTISSA + 1)
 """Relative error of a quantile of the bins."""
+
+MOST_SORTED = 1_000_000
+"""Values that are sorted at once: some tenths of a second, in which Ctrl-C has to wait."""
 
 _BINS_STORED = 4096
 """Bytes that the bins of a chunk take when compressed: a few hundred of them are not empty."""
@@ -175,3 +180,8 @@ def _united(one: Numbers, other: Numbers) -> Numbers:
     ends: list[Any] = [np.minimum(a[6], b[6]), np.maximum(a[7], b[7])]
     fields: list[Any] = [total, a[1] + b[1], mean, *sums, *ends]
     return np.stack(fields, axis=1)
+
+
+def evenly(values: NDArray[_Any]) -> NDArray[_Any]:
+    """As many of some values as are sorted at once, evenly spread where there are more."""
+    return values[:: max(1, -(-values.size // MOST_SORTED))]

@@ -1,11 +1,13 @@
 """What a sweep says in the end: counts, distributions, bad cases, and what moves a result."""
 
+import json
 import math
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from kugelpendel.cli.sweep.as_json import as_json
 from kugelpendel.cli.sweep.figures import figures
 from kugelpendel.cli.sweep.report import report
 from kugelpendel.sweeps import Listed, Spaced, Sweep, Uniform, sweep
@@ -49,6 +51,30 @@ def test_a_sample_is_told_by_its_quantiles(tmp_path: Path) -> None:
     numbers = [float(cell.replace("−", "-")) for cell in cells[1:-1]]
     np.testing.assert_allclose(numbers, expected, rtol=1e-3)
     assert set(figures(spec, found)) == {"azimuth", "b"}
+
+
+@pytest.mark.parametrize(
+    ("spec", "said"),
+    [
+        (("sample", "exact", ["period"], (), 500), "Quantiles are those of one case in 5."),
+        (("sobol", "exact", ["period"], (), 128), "Quantiles are those of one case in 8."),
+        (("grid", "exact", ["period"]), "those of one level in 3 of the first number."),
+    ],
+)
+def test_of_very_many_cases_evenly_spread_ones_are_sorted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, spec: tuple, said: str
+) -> None:
+    monkeypatch.setattr("kugelpendel.sweeps._reductions.MOST_SORTED", 100)
+    monkeypatch.setattr("kugelpendel.cli.sweep.report.MOST_SORTED", 100)
+    count = 16 if spec[0] == "grid" else None
+    launch = {"kind": "ellipse", "a": Spaced(0.5, 1.0, count), "b": Spaced(0.0, 0.1, count)}
+    swept = Sweep({"pendulum": {"length": 20.0}, "launch": launch}, *spec)
+    found = sweep(swept, tmp_path)
+    assert said in " ".join(report(swept, found).split())
+    values = found["period"].values
+    values = values[::3].ravel() if spec[0] == "grid" else values[:: -(-values.size // 100)]
+    (told,) = json.loads(as_json(swept, found))["results"]
+    assert told["quantiles"]["0.5"] == np.median(values) != np.median(found["period"].values)
 
 
 def test_bad_cases_are_counted_and_the_first_are_named_with_their_sentences(tmp_path: Path) -> None:

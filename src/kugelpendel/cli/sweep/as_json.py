@@ -11,6 +11,7 @@ from kugelpendel.cli.json_text import json_text
 from kugelpendel.cli.sweep.report import answers
 from kugelpendel.errors import InvalidInput
 from kugelpendel.sweeps import QUANTITIES, STATUS, why
+from kugelpendel.sweeps._reductions import evenly
 from kugelpendel.sweeps._sensitivity import sensitivity
 
 if TYPE_CHECKING:
@@ -55,7 +56,7 @@ def _results(sweep: Sweep, dataset: Dataset) -> list[dict[str, Any]]:
             "infinite": int(np.isinf(answer.values).sum()),
         }
         if finite.size:
-            shares = np.quantile(finite, _SHARES)
+            shares = np.quantile(evenly(finite), _SHARES)
             result |= {
                 "mean": finite.mean(),
                 "std": finite.std(ddof=1) if finite.size > 1 else np.nan,

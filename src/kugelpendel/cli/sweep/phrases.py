@@ -34,7 +34,8 @@ PHRASES: dict[Language, dict[str, str]] = {
         "clamp_stalls": "the clamp by itself, without drag and drive, makes the plane turn back",
         "agree": "What the plane does and what the portrait of the clamp says agree in {alike} of "
         "{count} cases.",
-        "thinned": "Quantiles are those of every {every}th level of the first number.",
+        "thinned": "Quantiles are those of one case in {every}.",
+        "thinned_levels": "Quantiles are those of one level in {every} of the first number.",
         "moves": "What moves the {title}:",
         "refuses": "What moves the {title}: {why}",
         "dropped": "{dropped} of {blocks} blocks of {size} cases have a case without an answer and "
@@ -79,7 +80,8 @@ PHRASES: dict[Language, dict[str, str]] = {
         "clamp_stalls": "die Klemme allein, ohne Reibung und Antrieb, lässt die Ebene umkehren",
         "agree": "Was die Ebene tut und was das Porträt der Klemme sagt, stimmt in {alike} von "
         "{count} Fällen überein.",
-        "thinned": "Quantile sind die jeder {every}. Stufe der ersten Größe.",
+        "thinned": "Quantile sind die jedes {every}. Falls.",
+        "thinned_levels": "Quantile sind die jeder {every}. Stufe der ersten Größe.",
         "moves": "Was „{title}“ bewegt:",
         "refuses": "Was „{title}“ bewegt: {why}",
         "dropped": "{dropped} von {blocks} Blöcken zu {size} Fällen haben einen Fall ohne Antwort "

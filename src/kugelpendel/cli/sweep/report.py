@@ -13,6 +13,7 @@ from kugelpendel.cli.sweep.phrases import PHRASES
 from kugelpendel.cli.terminal.tables import facts, listing, numbers, paragraph
 from kugelpendel.spelling import as_given, degrees, general, grouped, significant
 from kugelpendel.sweeps._quantities import QUANTITIES
+from kugelpendel.sweeps._reductions import MOST_SORTED, evenly
 from kugelpendel.sweeps._spoken import called, called_after, unit_of
 
 if TYPE_CHECKING:
@@ -25,9 +26,6 @@ if TYPE_CHECKING:
     from kugelpendel.sweeps.cases import Sweep
 
 _QUANTILES = (0.05, 0.25, 0.5, 0.75, 0.95)
-
-_MOST_READ = 4_000_000
-"""Cases whose values are read for quantiles; of more, evenly spread ones."""
 
 
 @dataclass(frozen=True)
@@ -88,12 +86,13 @@ def _every(sweep: Sweep) -> int:
 
     The blocks of a Sobol design stay whole: it needs all of its cases.
     """
-    return 1 if sweep.design == "sobol" else -(-sweep.size // _MOST_READ)
+    return 1 if sweep.design == "sobol" else -(-sweep.size // MOST_SORTED)
 
 
 def _thinning(sweep: Sweep, language: Language) -> str:
-    every = _every(sweep)
-    return PHRASES[language]["thinned"].format(every=every) if every > 1 else ""
+    every = -(-sweep.size // MOST_SORTED)
+    kind = "thinned_levels" if sweep.design == "grid" else "thinned"
+    return PHRASES[language][kind].format(every=every) if every > 1 else ""
 
 
 def _flat(data: Any) -> Numbers:
@@ -165,7 +164,7 @@ def _distributions(found: list[Answer], language: Language) -> str:
             rows.append((title, *_of_an_axis(values, language), grouped(values.size)))
             continue
         unit = unit_of(answer.name, float(np.abs(values).max()), quantity.unit)
-        ends = (values.min(), *np.quantile(values, _QUANTILES), values.max())
+        ends = (values.min(), *np.quantile(evenly(values), _QUANTILES), values.max())
         cells = (significant(float(end) / unit.size, language=language) for end in ends)
         rows.append((title, unit.symbol, *cells, grouped(values.size)))
     if not rows:

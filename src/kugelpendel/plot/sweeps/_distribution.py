@@ -14,6 +14,7 @@ from kugelpendel.plot import _ink
 from kugelpendel.plot.sweeps._labels import label, with_unit
 from kugelpendel.plot.tracks._page import localise
 from kugelpendel.spelling import grouped, significant
+from kugelpendel.sweeps._reductions import evenly
 from kugelpendel.sweeps._spoken import called, unit_of
 
 if TYPE_CHECKING:
@@ -41,7 +42,8 @@ def distribution(
     Parameters
     ----------
     values
-        Of all cases, in SI; what is not finite is left out and counted.
+        Of all cases, in SI; what is not finite is left out and counted. Of more than a million,
+        evenly spread ones are drawn.
     name
         Of the quantity.
     units
@@ -61,12 +63,13 @@ def distribution(
     """
     numbers = np.asarray(values, np.float64).ravel()
     weights = np.ones(numbers.size) if counts is None else np.asarray(counts, np.float64).ravel()
-    known = np.isfinite(numbers) & (weights > 0)
-    everyone = int(weights.sum())
-    if not known.any():
+    known = np.flatnonzero(np.isfinite(numbers) & (weights > 0))
+    everyone, answers = int(weights.sum()), float(weights[known].sum())
+    if not known.size:
         raise InvalidInput(f'None of {everyone} cases has an answer for "{name}".')
-    order = np.argsort(numbers[known])
-    finite, weights = numbers[known][order], weights[known][order]
+    known = evenly(known)
+    known = known[np.argsort(numbers[known])]
+    finite, weights = numbers[known], weights[known]
     passed = np.cumsum(weights)
 
     def quantile(share: float) -> float:
@@ -100,7 +103,7 @@ def distribution(
         axes.set_xlabel(with_unit(called(name, language), unit.symbol))
         axes.set_ylabel(label("bars", language))
         localise(axes, language)
-        left_out = everyone - round(float(passed[-1]))
+        left_out = everyone - round(answers)
         if left_out:
             axes.annotate(
                 label("left_out", language).format(left=grouped(left_out), all=grouped(everyone)),

@@ -30,6 +30,10 @@ if TYPE_CHECKING:
 _PANELS = 6
 """Levels of a third number that are drawn at most."""
 
+_CELLS = 1000
+"""Levels of each of the two numbers that are drawn at most, evenly spread: more are closer than
+pixels, and are drawn at once, for which Ctrl-C has to wait."""
+
 
 @dataclass(frozen=True)
 class Side:
@@ -90,9 +94,10 @@ class Plane:
 def plane(dataset: Dataset, name: str, time: float | None, title: str, language: Language) -> Plane:
     """Lay out the panels of a quantity of a grid, with the label of everything but its values.
 
-    The two numbers with the most levels are across and up, in the order of the file; a third one
-    goes from panel to panel, six of its levels at most; the rest stay in their middle, which the
-    title says. Raises InvalidInput for what is no grid of two numbers.
+    The two numbers with the most levels are across and up, in the order of the file, a thousand of
+    their levels at most; a third one goes from panel to panel, six of its levels at most; the rest
+    stay in their middle, which the title says. Raises InvalidInput for what is no grid of two
+    numbers.
     """
     data = at_time(dataset, name, time)
     sizes = {str(dim): int(size) for dim, size in data.sizes.items()}
@@ -105,6 +110,10 @@ def plane(dataset: Dataset, name: str, time: float | None, title: str, language:
     largest = sorted(wide, key=lambda dim: -sizes[dim])[:2]
     across, up = (dim for dim in wide if dim in largest)
     rest = [dim for dim in wide if dim not in largest]
+    dataset = dataset.isel(
+        {dim: slice(None, None, -(-sizes[dim] // _CELLS)) for dim in (across, up)}
+    )
+    data = at_time(dataset, name, time)
     fixed = {dim: sizes[dim] // 2 for dim in sizes if dim not in (across, up)}
     count = min(sizes[rest[0]], _PANELS) if rest else 1
     columns = min(count, 3)
