@@ -58,7 +58,6 @@ macro_rules! portable_lanes {
 }
 
 /// One rounding: FMA, AVX2 or NEON.
-#[cfg_attr(target_arch = "wasm32", expect(dead_code, reason = "WebAssembly has no fused multiply-add"))]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fused;
 

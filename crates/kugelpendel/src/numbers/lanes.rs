@@ -3,7 +3,9 @@
 //! Every operation does in each lane what it does with a number alone, to the last bit, so that what comes out of a lane
 //! depends neither on its neighbours nor on how many there are.
 
-use crate::numbers::arithmetic::{Arithmetic, Fused};
+use crate::numbers::arithmetic::Arithmetic;
+#[cfg(target_arch = "x86_64")]
+use crate::numbers::arithmetic::Fused;
 #[cfg(target_arch = "x86_64")]
 use std::arch::x86_64::*;
 use std::marker::PhantomData;
@@ -17,6 +19,7 @@ pub(crate) enum Instructions {
     /// AVX2 and FMA.
     Avx2,
     /// AVX-512F beside these.
+    #[cfg_attr(not(target_arch = "x86_64"), expect(dead_code, reason = "other processors have other vectors"))]
     Avx512,
 }
 

@@ -3,8 +3,8 @@
 use crate::given::times::{Order, orders};
 use crate::numbers::arithmetic::{Fused, Portable, fused, widest};
 #[cfg(target_arch = "x86_64")]
-use crate::numbers::lanes::{EightLanes, FourLanes};
-use crate::numbers::lanes::{Instructions, Lanes, PlainLanes};
+use crate::numbers::lanes::{EightLanes, FourLanes, Instructions};
+use crate::numbers::lanes::{Lanes, PlainLanes};
 use crate::real::lanes::{Abreast, LaneStep};
 use crate::real::motion::RealMotion;
 use crate::real::sphere::FieldKind;

@@ -5,7 +5,9 @@
 
 use crate::given::drive::Drive;
 use crate::given::forces::Thread;
-use crate::numbers::lanes::{Instructions, Lanes};
+#[cfg(target_arch = "x86_64")]
+use crate::numbers::lanes::Instructions;
+use crate::numbers::lanes::Lanes;
 use crate::real::problem::Problem;
 use crate::real::sphere::{FieldKind, SphereField, SphereTerms, lanes_that_slow_down};
 use crate::real::step::{advance_by, conclude, conclude_quietly, is_finite, longest, onto_sphere};
