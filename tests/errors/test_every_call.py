@@ -172,6 +172,9 @@ CALLS |= {
     "RealMotion.sample": (REAL.sample, (0.0, 0.1, 3), {}),
     "EnvelopeMotion.rates": (MEAN.rates, (TIMES,), {}),
     "EnvelopeMotion.semi_axes": (MEAN.semi_axes, (TIMES,), {}),
+    "EnvelopeMotion.course": (MEAN.course, (10.0,), {}),
+    "EnvelopeMotion.pace": (MEAN.pace, (0.0, 10.0), {}),
+    "RealMotion.course": (REAL.course, (TIMES,), {}),
 }
 
 MADE_BY_OTHERS = {

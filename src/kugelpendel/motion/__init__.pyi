@@ -3,10 +3,15 @@ from ._base import Motion as Motion
 from ._budget import CAUSES as CAUSES
 from ._budget import PrecessionBudget as PrecessionBudget
 from ._budget import Stretch as Stretch
+from ._envelope import ClampOrbits as ClampOrbits
 from ._envelope import EnvelopeMotion as EnvelopeMotion
+from ._envelope import PlaneCourse as PlaneCourse
+from ._envelope import PlanePace as PlanePace
+from ._envelope import Settled as Settled
 from ._exact import ExactMotion as ExactMotion
 from ._problems import Problems as Problems
 from ._problems import Reasons as Reasons
+from ._real import RealCourse as RealCourse
 from ._real import RealMotion as RealMotion
 from ._spectrum import Spectrum as Spectrum
 from ._walk import AskedEvent as AskedEvent

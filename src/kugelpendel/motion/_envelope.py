@@ -6,7 +6,7 @@ import warnings
 from collections.abc import Iterator
 from functools import cached_property
 from math import degrees
-from typing import TYPE_CHECKING, Any, Unpack, overload
+from typing import TYPE_CHECKING, Any, NamedTuple, Unpack, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,7 +16,7 @@ from kugelpendel.errors import InvalidInput, MotionEnded
 from kugelpendel.motion._budget import CAUSES, PrecessionBudget
 from kugelpendel.motion._forced import ForcedMotion
 from kugelpendel.motion._kept import kept
-from kugelpendel.motion._times import checked_grid, followed_times
+from kugelpendel.motion._times import checked_grid, followed_times, one_time
 from kugelpendel.parameters import (
     ForceParts,
     Forces,
@@ -57,6 +57,98 @@ _FORCES = (
 
 _SWINGS = 100
 """Swings over which that error is measured."""
+
+
+class Settled(NamedTuple):
+    """What planes come to: a number of each motion, in arrays of the motion's shape.
+
+    Each is looked at for four turns of the Earth, or until it has gone round or stood for one: a
+    driven one once it has settled, one that dies away sooner until a tenth of its amplitude is
+    left; at 400 times in each turn, or in that life (crates/kugelpendel/src/plane/settled.rs). NaN
+    without a turning ground, where the motion ends before, and where it would take longer than 120
+    days.
+
+    Attributes
+    ----------
+    verdict
+        0 where the plane goes round, 1 where it swings to and fro, 2 where it stands.
+    since, until
+        From when and until when it was looked at, s after the launch.
+    turned
+        By how much it turned then, rad, counter-clockwise.
+    low, high
+        The azimuths between which it was in the last turn, or in that life, rad, as
+        `EnvelopeMotion.azimuth` has them.
+    largest_b
+        The largest |b| in the same time, m.
+    a
+        Half the length of the swing at the end, m.
+    dies
+        1 where the swing dies away, else 0.
+    """
+
+    verdict: Numbers
+    since: Numbers
+    until: Numbers
+    turned: Numbers
+    low: Numbers
+    high: Numbers
+    largest_b: Numbers
+    a: Numbers
+    dies: Numbers
+
+
+class ClampOrbits(NamedTuple):
+    """Orbits on the portrait of a clamp: a number of each motion, in arrays of its shape.
+
+    Attributes
+    ----------
+    verdict
+        As that of `Settled`.
+    rate
+        The mean rate of the plane, rad/s, counter-clockwise.
+    """
+
+    verdict: Numbers
+    rate: Numbers
+
+
+class PlaneCourse(NamedTuple):
+    """What planes do up to a time: a number of each motion, in arrays of its shape.
+
+    NaN where the motion ends before. Errors beside those of the motion, as the tests of
+    crates/kugelpendel/src/plane/course.rs measure them.
+
+    Attributes
+    ----------
+    largest_b
+        The largest |b|, m, to 1e-4 of itself.
+    quarter_turn
+        When the plane has turned by a quarter of a turn, either way, s, to 1e-12 rad of the plane;
+        infinite where it does not.
+    stands_since
+        Since when it stands, s, as `Apsides.stands_since` has it; infinite where it does not.
+    """
+
+    largest_b: Numbers
+    quarter_turn: Numbers
+    stands_since: Numbers
+
+
+class PlanePace(NamedTuple):
+    """Rates of planes, in the sense in which the Earth turns them, in arrays of the motion's shape.
+
+    Clockwise where the ground does not turn; to 1e-3 of their difference, beside the motion's
+    errors. NaN where the motion ends before.
+
+    Attributes
+    ----------
+    slowest, fastest
+        The least and the largest rate, rad/s.
+    """
+
+    slowest: Numbers
+    fastest: Numbers
 
 
 class EnvelopeMotion(ForcedMotion[Scalar_co]):
@@ -237,39 +329,34 @@ class EnvelopeMotion(ForcedMotion[Scalar_co]):
         times = np.asarray(t, dtype=np.float64)
         return PrecessionBudget(times, self.azimuth(t), *np.moveaxis(rates, -1, 0))
 
-    def settled(self) -> Numbers:
-        """What the plane comes to with all that acts, for many motions at once: shape (*shape, 9).
+    def settled(self) -> Settled:
+        """What the plane comes to with all that acts, for many motions at once."""
+        return Settled(*self._told(self._motions.settled()))
 
-        0 where it goes round, 1 where it swings to and fro, 2 where it stands; from when and until
-        when it was looked at, s; by how much it turned then, rad; between which azimuths it was in
-        the last turn of the Earth, rad, two numbers; largest |b| in that time and a at the end, m;
-        1 where the swing dies away and the look is over its life. NaN without a turning ground,
-        where the motion ends before, and where it would take longer than 120 days.
+    def clamp_orbits(self) -> ClampOrbits:
+        """What `Portrait` says of the launches, without drag and drive, for many at once."""
+        return ClampOrbits(*self._told(self._motions.orbits()))
+
+    def course(self, until: float) -> PlaneCourse:
+        """What the plane does from the launch to a time in s after it.
+
+        Raises InvalidInput for what is no time, or one before the launch.
         """
-        return self._motions.settled().reshape((*self.shape, 9))
+        return PlaneCourse(*self._told(self._motions.course(one_time(until, "The end"))))
 
-    def clamp_orbits(self) -> Numbers:
-        """What `Portrait` says of the launches, for many at once: shape (*shape, 2).
+    def pace(self, start: float, stop: float) -> PlanePace:
+        """How fast the plane turns between two times in s; raises InvalidInput as `course`."""
+        between = [one_time(start, "The start"), one_time(stop, "The stop")]
+        if between[0] > between[1]:
+            raise InvalidInput(
+                f"The start must not be later than the stop, but they are {between[0]} s and "
+                f"{between[1]} s."
+            )
+        return PlanePace(*self._told(self._motions.pace(between)))
 
-        The verdict as in `settled`, and the mean rate of the plane, rad/s, without drag and drive.
-        """
-        return self._motions.orbits().reshape((*self.shape, 2))
-
-    def course(self, until: float) -> Numbers:
-        """What the plane does up to a time in s after the launch: shape (*shape, 3).
-
-        Largest |b|, m, to 1e-4 of itself; when the plane has turned by a quarter of a turn, and
-        since when it stands, s, as `Apsides.stands_since` has it, both inf where it does not. NaN
-        where the motion has ended before.
-        """
-        return self._motions.course(until).reshape((*self.shape, 3))
-
-    def pace(self, start: float, stop: float) -> Numbers:
-        """Least and largest rate of the plane between two times in s: rad/s, shape (*shape, 2).
-
-        In the sense in which the Earth turns it, to 1e-3 of their difference; NaN as in `course`.
-        """
-        return self._motions.pace([start, stop]).reshape((*self.shape, 2))
+    def _told(self, rows: Numbers) -> Numbers:
+        """The numbers that the core tells of each motion, one array of each of them."""
+        return np.moveaxis(rows.reshape((*self.shape, -1)), -1, 0)
 
     def position(self, t: ArrayLike) -> Numbers:
         """Position from the support, m, z down: shape (*shape, *t.shape, 3).

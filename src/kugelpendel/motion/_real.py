@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias, Unpack, cast, overload
+from math import prod
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeAlias, Unpack, cast, overload
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from kugelpendel import _core
 from kugelpendel.errors import InvalidInput
 from kugelpendel.motion._forced import ForcedMotion
+from kugelpendel.motion._times import followed_times
 from kugelpendel.motion._walk import SteppedMotion
 from kugelpendel.parameters import (
     ForceParts,
@@ -29,6 +32,40 @@ _THREADS = ("ends", "flies", "rod")
 _FINEST = 1e-17
 _LOOKED = 1000
 """Small swings over which an end is looked for."""
+
+
+class RealCourse(NamedTuple):
+    """What real motions do up to a time: arrays of the motion's shape.
+
+    Of more than 4096 outer turning points evenly spread ones count, 2048 at least. NaN where the
+    motion ends before.
+
+    Attributes
+    ----------
+    largest_b
+        The largest |b| at any outer turning point, m.
+    least_tension, largest_tension
+        The least and the largest pull of the thread at the launch, at the turning points and at the
+        end, N.
+    quarter_turn
+        When the plane has turned by a quarter of a turn, either way, s; infinite where it does not.
+    stands_since
+        Since when it stands, s, as `Apsides.stands_since` has it; infinite where it does not.
+    a, b, azimuth
+        The ellipse at each of the times, with one axis more for them: m, m, b positive
+        counter-clockwise, and rad, continuous, counter-clockwise. In a straight line between the
+        outer turning points before and after; NaN where there are fewer than two. Of an ideal
+        motion they are right to 1e-9 (crates/kugelpendel/src/meaning/followed.rs).
+    """
+
+    largest_b: Numbers
+    least_tension: Numbers
+    largest_tension: Numbers
+    quarter_turn: Numbers
+    stands_since: Numbers
+    a: Numbers
+    b: Numbers
+    azimuth: Numbers
 
 
 class RealMotion(ForcedMotion[Scalar_co], SteppedMotion[Scalar_co]):
@@ -168,19 +205,23 @@ class RealMotion(ForcedMotion[Scalar_co], SteppedMotion[Scalar_co]):
         swings = 2 * np.pi * _LOOKED / self.angular_frequency
         return self._span_within(column(swings, self.shape))
 
-    def course(self, times: Numbers) -> Numbers:
-        """What the motion does up to the last of some ascending times: shape (*shape, 5 + 3n).
+    def course(self, times: ArrayLike) -> RealCourse:
+        """What the motion does from the launch to the last of some times, s, on one axis.
 
-        Largest |b|, m; least and largest tension, N; when the plane has turned by a quarter of a
-        turn and since when it stands, s, as `Apsides.stands_since` has it, both inf where it does
-        not; then a, b, m, and the azimuth of the long axis, rad, at each time, in a straight line
-        between the outer turning points before and after it: NaN before the second of them. NaN
-        throughout where the motion ends before the last time. Times in s, the first at least 0.
+        Raises InvalidInput for times that do not ascend or begin before the launch.
         """
+        asked = followed_times(times, 3 * prod(self.shape))
+        if asked.ndim != 1 or not asked.size or asked[0] < 0 or (np.diff(asked) < 0).any():
+            raise InvalidInput(
+                "The times of a course must ascend on one axis, the first of them at 0 s or later; "
+                "sort them, and leave out those before the launch."
+            )
         values = (*self.effective_pendulum.values, self.rotation)
         columns = [column(np.asarray(value, np.float64), self.shape) for value in values]
         motions = cast("_core.RealMotions", self._motions)
-        return motions.course(columns, times).reshape((*self.shape, 5 + 3 * times.size))
+        rows = motions.course(columns, asked).reshape((*self.shape, -1))
+        ellipses = rows[..., 5:].reshape((*self.shape, asked.size, 3))
+        return RealCourse(*np.moveaxis(rows[..., :5], -1, 0), *np.moveaxis(ellipses, -1, 0))
 
     @property
     def trust(self) -> str:

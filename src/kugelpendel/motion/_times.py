@@ -68,6 +68,20 @@ def followed_times(t: ArrayLike, numbers_each: int) -> Numbers:
     return times
 
 
+def one_time(value: ArrayLike, name: str) -> float:
+    """A time after the launch, s.
+
+    Raises InvalidInput for what is no number, for a time before the launch and for one to which no
+    integration gets.
+    """
+    time = one_number(value, name, "s")
+    if not 0 <= time <= _LATEST:
+        raise InvalidInput(
+            f"{name} must lie between 0 and {_LATEST:g} s after the launch, but it is {time} s."
+        )
+    return time
+
+
 def checked_grid(start: float, step: float, count: int, numbers_each: int) -> int:
     """The count as an int, where the grid makes sense."""
     for name, given in (("start", start), ("step", step)):

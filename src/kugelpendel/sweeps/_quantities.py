@@ -161,7 +161,7 @@ def measure(motion: Motion, names: Sequence[str], times: Numbers) -> dict[str, N
     Notes
     -----
     The bits of a case depend on neither the other cases nor the count of threads. Errors: those of
-    the motion, and what `EnvelopeMotion.course` and `pace` say of extremes between readings.
+    the motion, and what `PlaneCourse`, `PlanePace` and `RealCourse` say of readings between times.
     """
     kind = _kind(motion)
     require_readable(kind, names, times, grounded=motion_is_grounded(motion))

@@ -10,7 +10,15 @@ from typing import Any
 
 import numpy as np
 
-from kugelpendel.motion import EnvelopeMotion, ExactMotion, RealMotion
+from kugelpendel.motion import (
+    EnvelopeMotion,
+    ExactMotion,
+    PlaneCourse,
+    PlanePace,
+    RealCourse,
+    RealMotion,
+    Settled,
+)
 from kugelpendel.parameters import Numbers
 
 
@@ -101,16 +109,16 @@ class _AveragedReadings:
         return self._motion.azimuth(np.concatenate(([0.0], self._times)))
 
     @cached_property
-    def _course(self) -> Numbers:
+    def _course(self) -> PlaneCourse:
         return self._motion.course(float(self._times[-1]))
 
     @cached_property
-    def _pace(self) -> Numbers:
+    def _pace(self) -> PlanePace:
         first = float(self._times[0]) if self._times.size > 1 else 0.0
         return self._motion.pace(first, float(self._times[-1]))
 
     @cached_property
-    def _settled(self) -> Numbers:
+    def _settled(self) -> Settled:
         return self._motion.settled()
 
     @property
@@ -131,39 +139,39 @@ class _AveragedReadings:
 
     @property
     def largest_b(self) -> Numbers:
-        return self._course[:, 0]
+        return self._course.largest_b
 
     @property
     def quarter_turn(self) -> Numbers:
-        return self._course[:, 1]
+        return self._course.quarter_turn
 
     @property
     def stands_since(self) -> Numbers:
-        return self._course[:, 2]
+        return self._course.stands_since
 
     @property
     def slowest_rate(self) -> Numbers:
-        return self._pace[:, 0]
+        return self._pace.slowest
 
     @property
     def fastest_rate(self) -> Numbers:
-        return self._pace[:, 1]
+        return self._pace.fastest
 
     @property
     def stalls(self) -> Numbers:
-        return _truth(self._settled[:, 0])
+        return _truth(self._settled.verdict)
 
     @property
     def final_direction(self) -> Numbers:
         found = self._settled
-        verdict, turned, low, high, dies = (found[:, column] for column in (0, 3, 4, 5, 8))
         # A swing that dies away is left where it is at the end; another one goes to and fro.
-        end = np.where(dies == 1.0, self._azimuths[:, 0] + turned, 0.5 * (low + high))
-        return np.where(verdict > 0.0, np.mod(end, math.pi), math.nan)
+        left, middle = self._azimuths[:, 0] + found.turned, 0.5 * (found.low + found.high)
+        end = np.where(found.dies == 1.0, left, middle)
+        return np.where(found.verdict > 0.0, np.mod(end, math.pi), math.nan)
 
     @property
     def clamp_stalls(self) -> Numbers:
-        return _truth(self._motion.clamp_orbits()[:, 0])
+        return _truth(self._motion.clamp_orbits().verdict)
 
 
 class _RealReadings:
@@ -173,50 +181,46 @@ class _RealReadings:
         self._motion, self._times = motion, times
 
     @cached_property
-    def _course(self) -> Numbers:
+    def _course(self) -> RealCourse:
+        """With the ellipse at the launch, and then at the times."""
         return self._motion.course(np.concatenate(([0.0], self._times)))
-
-    @cached_property
-    def _ellipses(self) -> Numbers:
-        """a, b and azimuth at the launch and at the times."""
-        return self._course[:, 5:].reshape(len(self._course), -1, 3)
 
     @property
     def azimuth(self) -> Numbers:
-        return self._ellipses[:, 1:, 2]
+        return self._course.azimuth[:, 1:]
 
     @property
     def a(self) -> Numbers:
-        return self._ellipses[:, 1:, 0]
+        return self._course.a[:, 1:]
 
     @property
     def b(self) -> Numbers:
-        return self._ellipses[:, 1:, 1]
+        return self._course.b[:, 1:]
 
     @property
     def mean_rate(self) -> Numbers:
-        azimuths = self._ellipses[..., 2]
+        azimuths = self._course.azimuth
         return (azimuths[:, 1:] - azimuths[:, :1]) / self._times
 
     @property
     def largest_b(self) -> Numbers:
-        return self._course[:, 0]
+        return self._course.largest_b
 
     @property
     def least_tension(self) -> Numbers:
-        return self._course[:, 1]
+        return self._course.least_tension
 
     @property
     def largest_tension(self) -> Numbers:
-        return self._course[:, 2]
+        return self._course.largest_tension
 
     @property
     def quarter_turn(self) -> Numbers:
-        return self._course[:, 3]
+        return self._course.quarter_turn
 
     @property
     def stands_since(self) -> Numbers:
-        return self._course[:, 4]
+        return self._course.stands_since
 
     @property
     def averaging_error(self) -> Numbers:
@@ -225,7 +229,7 @@ class _RealReadings:
             warnings.simplefilter("ignore")  # how far it is off is what is asked
             averaged = EnvelopeMotion(motion.pendulum, motion.launch, motion.forces)
         means = averaged.azimuth(np.concatenate(([0.0], self._times)))
-        apart = self._ellipses[..., 2] - means
+        apart = self._course.azimuth - means
         # Both are azimuths of an axis, which has no front end.
         apart -= math.pi * np.round(apart[:, :1] / math.pi)
         return np.abs(apart[:, 1:])
