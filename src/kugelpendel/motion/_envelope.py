@@ -6,7 +6,7 @@ import warnings
 from collections.abc import Iterator
 from functools import cached_property
 from math import degrees
-from typing import TYPE_CHECKING, Any, NamedTuple, Unpack, overload
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar, Unpack, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -149,6 +149,9 @@ class PlanePace(NamedTuple):
 
     slowest: Numbers
     fastest: Numbers
+
+
+_Told = TypeVar("_Told", Settled, ClampOrbits, PlaneCourse, PlanePace)
 
 
 class EnvelopeMotion(ForcedMotion[Scalar_co]):
@@ -331,18 +334,18 @@ class EnvelopeMotion(ForcedMotion[Scalar_co]):
 
     def settled(self) -> Settled:
         """What the plane comes to with all that acts, for many motions at once."""
-        return Settled(*self._told(self._motions.settled()))
+        return self._told(Settled, self._motions.settled())
 
     def clamp_orbits(self) -> ClampOrbits:
         """What `Portrait` says of the launches, without drag and drive, for many at once."""
-        return ClampOrbits(*self._told(self._motions.orbits()))
+        return self._told(ClampOrbits, self._motions.orbits())
 
     def course(self, until: float) -> PlaneCourse:
         """What the plane does from the launch to a time in s after it.
 
         Raises InvalidInput for what is no time, or one before the launch.
         """
-        return PlaneCourse(*self._told(self._motions.course(one_time(until, "The end"))))
+        return self._told(PlaneCourse, self._motions.course(one_time(until, "The end")))
 
     def pace(self, start: float, stop: float) -> PlanePace:
         """How fast the plane turns between two times in s; raises InvalidInput as `course`."""
@@ -352,11 +355,12 @@ class EnvelopeMotion(ForcedMotion[Scalar_co]):
                 f"The start must not be later than the stop, but they are {between[0]} s and "
                 f"{between[1]} s."
             )
-        return PlanePace(*self._told(self._motions.pace(between)))
+        return self._told(PlanePace, self._motions.pace(between))
 
-    def _told(self, rows: Numbers) -> Numbers:
-        """The numbers that the core tells of each motion, one array of each of them."""
-        return np.moveaxis(rows.reshape((*self.shape, -1)), -1, 0)
+    def _told(self, kind: type[_Told], rows: Numbers) -> _Told:
+        """What the core tells of each motion, an array of each number under its name."""
+        width = len(kind._fields)
+        return kind(*np.moveaxis(rows.reshape((*self.shape, width)), -1, 0))
 
     def position(self, t: ArrayLike) -> Numbers:
         """Position from the support, m, z down: shape (*shape, *t.shape, 3).

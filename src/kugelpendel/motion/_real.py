@@ -219,7 +219,7 @@ class RealMotion(ForcedMotion[Scalar_co], SteppedMotion[Scalar_co]):
         values = (*self.effective_pendulum.values, self.rotation)
         columns = [column(np.asarray(value, np.float64), self.shape) for value in values]
         motions = cast("_core.RealMotions", self._motions)
-        rows = motions.course(columns, asked).reshape((*self.shape, -1))
+        rows = motions.course(columns, asked).reshape((*self.shape, 5 + 3 * asked.size))
         ellipses = rows[..., 5:].reshape((*self.shape, asked.size, 3))
         return RealCourse(*np.moveaxis(rows[..., :5], -1, 0), *np.moveaxis(ellipses, -1, 0))
 

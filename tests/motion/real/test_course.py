@@ -103,3 +103,14 @@ def test_refused(name: str) -> None:
     with pytest.raises(kp.InvalidInput) as raised:
         call()
     assert said in str(raised.value)
+
+
+@pytest.mark.parametrize("shape", [(), (0,), (2, 3)])
+def test_every_number_has_the_shape_of_the_motions(shape: tuple[int, ...]) -> None:
+    launch = kp.Launch.ellipse(np.full(shape, 1.0), 0.0)
+    plane = kp.EnvelopeMotion(kp.Pendulum(67.0), launch, site=kp.Site(0.85))
+    told = (plane.settled(), plane.clamp_orbits(), plane.course(9.0), plane.pace(0.0, 9.0))
+    assert {np.shape(number) for numbers in told for number in numbers} == {shape}
+    course = kp.RealMotion(kp.Pendulum(67.0), launch).course([0.0, 50.0])
+    assert {np.shape(number) for number in course[:5]} == {shape}
+    assert {np.shape(number) for number in course[5:]} == {(*shape, 2)}
