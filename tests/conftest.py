@@ -1,6 +1,7 @@
 """Rules for every test: in CI nothing is skipped but what reads the optional folder ../shared."""
 
 import os
+import signal
 from collections.abc import Generator
 from pathlib import Path
 
@@ -14,6 +15,10 @@ for _variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
 
 IN_CI = os.environ.get("CI", "").lower() not in ("", "0", "false")
 REPOSITORY = Path(__file__).resolve().parent.parent
+
+
+# A shell that starts the tests in the background lets SIGINT be ignored, by what they start too.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="session")
