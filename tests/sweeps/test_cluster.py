@@ -20,6 +20,9 @@ from kugelpendel.sweeps._cluster import local_workers, workers_of
 
 Same = Callable[[Path, Path], None]
 
+STARTS = 120.0
+"""s in which a worker has started, and one that has died is missed, however busy the machine is."""
+
 
 @pytest.fixture(scope="module")
 def client() -> Generator[Any]:
@@ -196,7 +199,7 @@ def test_a_scheduler_without_workers_then_with_one_of_two_threads_then_gone(
             monkeypatch.setattr(_cluster, "_ANSWER", 0.5)
             with pytest.raises(KugelpendelError, match=r"has no workers; start some with `dask w"):
                 kp.sweep(averaged(), tmp_path / "there", client)
-            monkeypatch.setattr(_cluster, "_ANSWER", 20.0)
+            monkeypatch.setattr(_cluster, "_ANSWER", STARTS)
             workers.append(_worker(address, "2"))
             with pytest.raises(KugelpendelError, match=r"has 2 threads, and a sweep takes worker"):
                 kp.sweep(averaged(), tmp_path / "there", client)
@@ -229,7 +232,7 @@ def test_all_workers_gone(
 ) -> None:
     _, address = scheduler
     monkeypatch.setattr(_cluster, "_GRACE", 1.0)
-    monkeypatch.setattr(_cluster, "_ANSWER", 20.0)
+    monkeypatch.setattr(_cluster, "_ANSWER", STARTS)
     workers = [_worker(address, "1")]
 
     def end(done: int, size: int, bad: int) -> None:
@@ -258,7 +261,7 @@ def _end(workers: list[subprocess.Popen[str]]) -> None:
 
 
 def _wait(until: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + 20
+    deadline = time.monotonic() + STARTS
     while not until():
         assert time.monotonic() < deadline
         time.sleep(0.05)
