@@ -15,7 +15,7 @@ from tests.sweeps.made import averaged, exact
 
 import kugelpendel as kp
 from kugelpendel.errors import KugelpendelError
-from kugelpendel.sweeps import SweepStore, _cluster
+from kugelpendel.sweeps import SweepStore, _cluster, kept_store
 from kugelpendel.sweeps._cluster import local_workers, workers_of
 
 Same = Callable[[Path, Path], None]
@@ -245,6 +245,26 @@ def test_all_workers_gone(
     finally:
         _end(workers)
     assert str(raised.value).startswith(f"All workers of the scheduler at {address} have vanished")
+
+
+def test_a_result_that_was_with_the_last_worker(
+    scheduler: tuple[subprocess.Popen[str], str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    _, address = scheduler
+    monkeypatch.setattr(_cluster, "_GRACE", 1.0)
+    monkeypatch.setattr(_cluster, "_ANSWER", STARTS)
+    workers = [_worker(address, "1")]
+    try:
+        with workers_of(address) as client, kept_store(tmp_path, averaged(), lambda: 2) as store:
+            future = client.submit(_cluster.do_chunk, str(store.path), 0, pure=False)
+            _wait(lambda: future.status == "finished")
+            _end(workers)
+            with pytest.raises(KugelpendelError, match="have vanished"):
+                _cluster._result(future, client, store)
+    finally:
+        _end(workers)
 
 
 def _worker(address: str, threads: str) -> subprocess.Popen[str]:

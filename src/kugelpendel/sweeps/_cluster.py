@@ -177,10 +177,17 @@ def prepared(path: str, digest: str) -> bool:
 
 def _result(future: Any, client: Any, store: SweepStore) -> Done:
     """What a chunk has come to; raises KugelpendelError where it has failed."""
-    if future.status == "finished":
-        return future.result()
+    under_way, without = ("finished", "pending", "lost"), 0.0
+    while future.status in under_way:
+        try:
+            return future.result(timeout=_LOOK)
+        except TimeoutError:  # it was with a worker that has died, and the chunk is done again
+            without = _without_workers(client, store, without)
+        except Exception:
+            if future.status in under_way:  # else it is told below
+                raise
     address, folder = _address(client), str(store.path.parent)
-    if future.status != "error":  # "cancelled" or "lost", though nobody has asked for it
+    if future.status != "error":  # "cancelled", though nobody has asked for it
         raise KugelpendelError.of("sweep_scheduler_lost", address=address, folder=folder)
     error = future.exception(timeout=_ANSWER)
     if isinstance(error, OSError):
