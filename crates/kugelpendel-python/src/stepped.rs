@@ -120,21 +120,19 @@ impl<M: Readable> Stepped<M> {
         let mut ends = vec![f64::NAN; self.motions.len()];
         let mut why = "";
         let signal = Signal::default();
-        let array = new_array(py, size * self.motions.len(), |out| {
-            out.fill(f64::NAN);
-            match (&self.motions[..], &mut ends[..]) {
-                ([Ok(motion)], [end]) => {
-                    let halted =
-                        motion.read(&mut asked.readings(times, out), &mut lock(&self.walks[0]), &|| signal.ends_work());
-                    if let Err(Halt::Ended(time, ending)) = halted {
-                        (*end, why) = (time, name(ending));
-                    }
+        let array = new_array(py, size * self.motions.len(), |out| match (&self.motions[..], &mut ends[..]) {
+            ([Ok(motion)], [end]) => {
+                out.fill(f64::NAN);
+                let halted =
+                    motion.read(&mut asked.readings(times, out), &mut lock(&self.walks[0]), &|| signal.ends_work());
+                if let Err(Halt::Ended(time, ending)) = halted {
+                    (*end, why) = (time, name(ending));
                 }
-                _ if !out.is_empty() => {
-                    signal.watch(|| self.fill_all(times, asked, out, &mut ends, &|| signal.has_arrived()))
-                }
-                _ => {}
             }
+            _ if !out.is_empty() => {
+                signal.watch(|| self.fill_all(times, asked, out, &mut ends, &|| signal.has_arrived()))
+            }
+            _ => {}
         });
         signal.raised()?;
         Ok((array, ends.into_pyarray(py), why))
@@ -145,10 +143,11 @@ impl<M: Readable> Stepped<M> {
         self.motions.len()
     }
 
+    /// The numbers asked for of all motions, and when each that has ended did.
     fn fill_all(&self, times: &[f64], asked: Asked, out: &mut [f64], ends: &mut [f64], stop: Stop<'_>) {
         let rows = out.chunks_mut(out.len() / self.motions.len()).zip(ends).enumerate();
         let cases = rows.filter_map(|(index, (row, end))| {
-            let (motion, walk) = self.taken(index)?;
+            let (motion, walk) = self.taken(index, row, stop)?;
             Some(Case { tag: (index, end), motion, readings: asked.readings(times, row), walk })
         });
         self.shared_out(cases, |cases, at_once| {
@@ -163,8 +162,12 @@ impl<M: Readable> Stepped<M> {
         });
     }
 
-    /// A good motion, and its walk out of here.
-    fn taken(&self, index: usize) -> Option<(&M, Walk)> {
+    /// A good motion and its walk out of here, before its row is filled; the rows of the others are NaN.
+    fn taken(&self, index: usize, row: &mut [f64], stop: Stop<'_>) -> Option<(&M, Walk)> {
+        if stop() {
+            return None; // nobody sees the array, of which to touch the rest may take long
+        }
+        row.fill(f64::NAN);
         let motion = self.motions[index].as_ref().ok()?;
         Some((motion, lock(&self.walks[index]).take()))
     }
@@ -285,19 +288,14 @@ impl Stepped<RealMotion> {
     ) -> PyResult<Numbers<'py>> {
         let signal = Signal::default();
         let count = self.motions.len();
-        let stretches: Vec<_> = (0..count).map(|index| Follower::stretches(&given(index).0, times)).collect();
-        let mut pulls = vec![f64::NAN; 2 * count];
+        let (ends, mut pulls) = (Follower::ends(times), vec![f64::NAN; 2 * count]);
         let array = new_array(py, width * count, |out| {
             let stop = || signal.has_arrived();
             let rows = out.chunks_mut(width).zip(pulls.chunks_mut(2)).enumerate();
-            let cases = rows.filter_map(|(index, (row, tension))| {
-                if stop() {
-                    return None; // nobody sees the array, of which to touch the rest may take long
-                }
-                row.fill(f64::NAN);
-                let follower = Follower::new(given(index), &stretches[index]);
-                let readings = Readings { tension, ..follower.readings()? };
-                let (motion, walk) = self.taken(index)?;
+            let cases = rows.filter_map(|(index, (row, pulls))| {
+                let (motion, walk) = self.taken(index, row, &stop)?;
+                let mut follower = Follower::new(given(index), &ends, pulls);
+                let readings = follower.readings()?;
                 Some(Case { tag: (follower, (index, row)), motion, readings, walk })
             });
             signal.watch(|| {

@@ -114,3 +114,12 @@ def test_every_number_has_the_shape_of_the_motions(shape: tuple[int, ...]) -> No
     course = kp.RealMotion(kp.Pendulum(67.0), launch).course([0.0, 50.0])
     assert {np.shape(number) for number in course[:5]} == {shape}
     assert {np.shape(number) for number in course[5:]} == {(*shape, 2)}
+
+
+def test_a_bad_motion_beside_good_ones_is_not_followed() -> None:
+    pendulum = kp.Pendulum(np.array([1.0, 0.0, np.inf, 2.0]), np.array([9.81, 9.81, 9.81, -1.0]))
+    motions = kp.RealMotion(pendulum, kp.Launch.ellipse(0.1, 0.0))
+    assert (motions.status != 0).tolist() == [False, True, True, True]
+    for number in motions.course([0.0, 50.0]):
+        unknown = np.isnan(number).reshape(4, -1).any(axis=1)
+        assert unknown.tolist() == [False, True, True, True]

@@ -41,19 +41,18 @@ pub fn follow(
     walk: &mut Walk,
     stop: Stop<'_>,
 ) -> Result<Followed, Halt> {
-    let stretches = Follower::stretches(&pendulum, times);
-    let mut follower = Follower::new((pendulum, rotation), &stretches);
-    while let Some(readings) = follower.readings() {
-        let mut pulls = [f64::NAN; 2];
-        let mut readings = Readings { tension: &mut pulls, ..readings };
+    let (ends, mut pulls) = (Follower::ends(times), [f64::NAN; 2]);
+    let mut follower = Follower::new((pendulum, rotation), &ends, &mut pulls);
+    while let Some(mut readings) = follower.readings() {
         motion.read(&mut readings, walk, stop)?;
+        held(&readings, walk)?;
         follower.note(&readings);
     }
     Ok(follower.finish(times, ellipses))
 }
 
 /// Follows many motions to their last times as [`follow`] does, to the same bits, up to `at_once` of them side by side. A
-/// case has [`Follower::readings`] of its first stretch, with room for two tensions; it is handed back with what halted it.
+/// case has [`Follower::readings`] of its first stretch; it is handed back with what halted it.
 pub fn follow_all<'a, T>(
     cases: &mut dyn Iterator<Item = Case<'a, RealMotion, (Follower<'a>, T)>>,
     at_once: usize,
@@ -64,10 +63,11 @@ pub fn follow_all<'a, T>(
     let under_way = RefCell::new(Vec::new());
     let mut next = std::iter::from_fn(|| under_way.borrow_mut().pop().or_else(|| cases.next()));
     let mut noted = |mut case: Case<'a, RealMotion, (Follower<'a>, T)>, halted: Result<(), Halt>| {
+        let halted = halted.and_then(|()| held(&case.readings, &case.walk));
         if halted.is_ok() {
             case.tag.0.note(&case.readings);
             if let Some(readings) = case.tag.0.readings() {
-                case.readings = Readings { tension: case.readings.tension, ..readings };
+                case.readings = readings;
                 under_way.borrow_mut().push(case);
                 return;
             }
@@ -77,11 +77,24 @@ pub fn follow_all<'a, T>(
     RealMotion::read_all(&mut next, at_once, &mut noted, stop);
 }
 
+/// Where only events are asked for, an end of the motion halts nothing.
+fn held(readings: &Readings<'_>, walk: &Walk) -> Result<(), Halt> {
+    match walk.ended(true) {
+        Some((time, ending)) if time < readings.between[1] => Err(Halt::Ended(time, ending)),
+        _ => Ok(()),
+    }
+}
+
 /// A motion that is followed, stretch by stretch.
 #[derive(Debug)]
 pub struct Follower<'a> {
-    /// Of those that are still to come.
-    ends: &'a [f64],
+    ends: &'a [f64; 2],
+    /// For the tensions at those ends that are still to come.
+    pulls: &'a mut [f64],
+    /// When the next stretch begins, s; none after the last.
+    from: Option<f64>,
+    /// How long it is, s.
+    stretch: f64,
     rotation: f64,
     track: ApsidesTrack,
     tension: [f64; 2],
@@ -90,30 +103,40 @@ pub struct Follower<'a> {
 }
 
 impl<'a> Follower<'a> {
-    /// The ends of the stretches in which a motion is followed to the last of some ascending times: from the launch on, s.
-    pub fn stretches(pendulum: &Pendulum, times: &[f64]) -> Vec<f64> {
-        let until = times.last().copied().unwrap_or(0.0);
-        let stretch = TOGETHER * TAU / pendulum.angular_frequency();
-        let mut ends = vec![0.0];
-        let mut to: f64 = 0.0;
-        while ends.len() < 2 || to < until {
-            to = until.min(to + stretch);
-            ends.push(to);
+    /// From when to when motions are followed to the last of some ascending times, s.
+    pub fn ends(times: &[f64]) -> [f64; 2] {
+        [0.0, times.last().copied().unwrap_or(0.0)]
+    }
+
+    /// Before the first stretch, with room for the tensions at both ends.
+    pub fn new((pendulum, rotation): (Pendulum, f64), ends: &'a [f64; 2], pulls: &'a mut [f64]) -> Self {
+        Self {
+            ends,
+            pulls,
+            from: Some(ends[0]),
+            stretch: TOGETHER * TAU / pendulum.angular_frequency(),
+            rotation,
+            track: ApsidesTrack::new(pendulum, rotation),
+            tension: [f64::INFINITY, f64::NEG_INFINITY],
+            noted: f64::NEG_INFINITY,
         }
-        ends
     }
 
-    /// Before the first of the stretches with these ends.
-    pub fn new((pendulum, rotation): (Pendulum, f64), ends: &'a [f64]) -> Self {
-        let track = ApsidesTrack::new(pendulum, rotation);
-        Self { ends, rotation, track, tension: [f64::INFINITY, f64::NEG_INFINITY], noted: f64::NEG_INFINITY }
-    }
-
-    /// What has to be read in the next stretch, beside the tensions at its ends; none where there is none left.
-    pub fn readings(&self) -> Option<Readings<'a>> {
-        let [from, to, ..] = *self.ends else { return None };
+    /// What has to be read in the next stretch; none where there is none left.
+    pub fn readings(&mut self) -> Option<Readings<'a>> {
+        let (from, [start, until]) = (self.from?, *self.ends);
+        let to = until.min(from + self.stretch);
+        self.from = (to < until).then_some(to);
+        let times = match (from == start, to == until) {
+            (true, true) => &self.ends[..],
+            (true, false) => &self.ends[..1],
+            (false, true) => &self.ends[1..],
+            (false, false) => &[],
+        };
+        let (tension, rest) = std::mem::take(&mut self.pulls).split_at_mut(times.len());
+        self.pulls = rest;
         let events = &[Event::Outer, Event::Inner];
-        Some(Readings { times: &self.ends[..2], events, between: [from, to], most: usize::MAX, ..Readings::default() })
+        Some(Readings { times, tension, events, between: [from, to], most: usize::MAX, ..Readings::default() })
     }
 
     /// Notes what has been read in it.
@@ -126,7 +149,6 @@ impl<'a> Follower<'a> {
         let outer: Vec<_> = outer.map(|passage| (passage.time, passage.state)).collect();
         self.noted = outer.last().map_or(self.noted, |(time, _)| *time);
         self.track.add(&outer);
-        self.ends = &self.ends[1..];
     }
 
     /// What it has come to, after the last stretch; see [`follow`].
@@ -175,7 +197,7 @@ mod tests {
     use crate::real::ensemble::Case;
     use crate::real::motion::RealMotion;
     use crate::taylor::step::Ending;
-    use crate::taylor::walk::{Halt, Readings, Walk};
+    use crate::taylor::walk::{Halt, Walk};
     use std::f64::consts::FRAC_PI_2;
 
     const PENDULUM: Pendulum = Pendulum { length: 1.0, gravity: 9.81, mass: 2.0 };
@@ -251,12 +273,12 @@ mod tests {
                 })
                 .collect();
             assert!(times[0] > 0.0 || alone.iter().any(|found| found.contains("Slack")) || times.len() == 1);
-            let ends = Follower::stretches(&PENDULUM, &times);
+            let ends = Follower::ends(&times);
             for at_once in [1, 5, 99] {
                 let mut pulls = vec![f64::NAN; 2 * motions.len()];
                 let mut cases = motions.iter().zip(pulls.chunks_mut(2)).enumerate().map(|(tag, (motion, tension))| {
-                    let follower = Follower::new((PENDULUM, 5e-5), &ends);
-                    let readings = Readings { tension, ..follower.readings().unwrap_or_default() };
+                    let mut follower = Follower::new((PENDULUM, 5e-5), &ends, tension);
+                    let readings = follower.readings().unwrap_or_default();
                     Case { tag: (follower, tag), motion, readings, walk: Walk::new(16) }
                 });
                 let mut together = vec![String::new(); motions.len()];
