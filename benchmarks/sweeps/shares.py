@@ -17,7 +17,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from report import Table, grid
+from report import grid
 
 ROOT = Path(__file__).parents[2]
 SOURCES = "crates/kugelpendel/src/"
@@ -67,8 +67,8 @@ def main() -> int:
         shutil.copy(core, copy)
         for name, (work, cases) in WORKS.items():
             seconds, shares = sampled(copy, work, Path(folder) / "perf.data")
-            told = table(name, seconds / cases, shares)
-            print(told.caption, grid(told.head, told.rows), sep="\n\n", end="\n\n", flush=True)
+            caption = f"{name}, {seconds / cases * 1e6:.3g} µs a case on one thread:"
+            print(caption, table(shares), sep="\n\n", end="\n\n", flush=True)
     return 0
 
 
@@ -85,22 +85,9 @@ def sampled(core: Path, work: str, data: Path) -> tuple[float, collections.Count
     here = str(Path(__file__).parents[1])
     script = _WORK.format(core=str(core), here=here, seconds=SECONDS, work=work)
     record = ["perf", "record", "--quiet", "--output", str(data), sys.executable, "-c", script]
-    environment = {**os.environ, "RAYON_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-    done = subprocess.run(record, env=environment, capture_output=True, text=True, check=True)
-    events = subprocess.run(
-        [
-            "perf",
-            "script",
-            "--input",
-            str(data),
-            "--show-mmap-events",
-            "--fields",
-            "ip,sym,dso,event",
-        ],
-        capture_output=True,
-        text=True,
-        check=True,
-    ).stdout
+    seconds = json.loads(told_by(*record, RAYON_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1"))
+    fields = ["--show-mmap-events", "--fields", "ip,sym,dso,event"]
+    events = told_by("perf", "script", "--input", str(data), *fields)
     inside: collections.Counter[int] = collections.Counter()
     shares: collections.Counter[str] = collections.Counter()
     shift = 0
@@ -112,14 +99,14 @@ def sampled(core: Path, work: str, data: Path) -> tuple[float, collections.Count
         elif found := re.search(r"\s([0-9a-f]+) (.*) \((.*)\)$", line):
             if found[3] == str(core):
                 inside[int(found[1], 16) + shift] += 1
-            elif library := of_library(found[2], found[3]):
+            elif library := of_library(found[3]):
                 shares[library] += 1
     for address, file in files(core, inside).items():
         shares[file] += inside[address]
-    return json.loads(done.stdout), shares
+    return seconds, shares
 
 
-def of_library(symbol: str, library: str) -> str | None:
+def of_library(library: str) -> str | None:
     """What the core calls in the C library; the rest is Python's."""
     if "libm.so" in library:
         return "sines, logarithms and the like of the C library"
@@ -130,12 +117,7 @@ def of_library(symbol: str, library: str) -> str | None:
 
 def address_of(core: Path, offset: int) -> int:
     """Where a place of the file's code lies when it is loaded at zero."""
-    segments = subprocess.run(
-        ["readelf", "--program-headers", "--wide", str(core)],
-        capture_output=True,
-        text=True,
-        check=True,
-    ).stdout
+    segments = told_by("readelf", "--program-headers", "--wide", str(core))
     code = re.search(r"LOAD\s+0x(\w+) 0x(\w+) .* R E ", segments)
     if code is None:
         raise SystemExit(f"readelf finds no code in {core}")
@@ -146,9 +128,7 @@ def address_of(core: Path, offset: int) -> int:
 def files(core: Path, addresses: collections.Counter[int]) -> dict[int, str]:
     """The source file that each address is put down to."""
     command = ["addr2line", "--exe", str(core), "--inlines", "--addresses"]
-    told = subprocess.run(
-        [*command, *map(hex, addresses)], capture_output=True, text=True, check=True
-    ).stdout
+    told = told_by(*command, *map(hex, addresses))
     found: dict[int, str] = {}
     for block in re.split(r"^(?=0x)", told, flags=re.MULTILINE)[1:]:
         address, *lines = block.splitlines()
@@ -158,19 +138,20 @@ def files(core: Path, addresses: collections.Counter[int]) -> dict[int, str]:
     return found
 
 
-def table(name: str, seconds: float, shares: collections.Counter[str]) -> Table:
+def table(shares: collections.Counter[str]) -> str:
+    """The large shares, the largest first, and the rest together."""
     total = sum(shares.values())
-    rows = [(file, f"{count / total:.0%}") for file, count in shares.most_common()]
-    large = [
-        row
-        for row, (_, count) in zip(rows, shares.most_common(), strict=True)
-        if count > LEAST * total
-    ]
-    rest = sum(count for _, count in shares.items() if count <= LEAST * total)
-    caption = f"{name}, {seconds * 1e6:.3g} µs a case on one thread:"
-    return Table(
-        caption, ("file, or what", "share"), [*large, ("all others", f"{rest / total:.0%}")]
-    )
+    large = {file: count for file, count in shares.most_common() if count > LEAST * total}
+    rows = {**large, "all others": total - sum(large.values())}
+    cells = [(file, f"{count / total:.0%}") for file, count in rows.items()]
+    return grid(("file, or what", "share"), cells)
+
+
+def told_by(*command: str, **environment: str) -> str:
+    """What a command prints; it raises CalledProcessError where it fails."""
+    around = {**os.environ, **environment}
+    done = subprocess.run(command, env=around, capture_output=True, text=True, check=True)
+    return done.stdout
 
 
 if __name__ == "__main__":

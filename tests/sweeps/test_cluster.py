@@ -225,46 +225,41 @@ def test_a_scheduler_without_workers_then_with_one_of_two_threads_then_gone(
     same(tmp_path / "here", tmp_path / "there")
 
 
-def test_all_workers_gone(
-    scheduler: tuple[subprocess.Popen[str], str],
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+@pytest.fixture
+def last_worker(
+    scheduler: tuple[subprocess.Popen[str], str], monkeypatch: pytest.MonkeyPatch
+) -> Generator[tuple[str, Callable[[], None]]]:
+    """The address of a scheduler with one worker, and what ends that worker."""
     _, address = scheduler
     monkeypatch.setattr(_cluster, "_GRACE", 1.0)
     monkeypatch.setattr(_cluster, "_ANSWER", STARTS)
     workers = [_worker(address, "1")]
+    yield address, lambda: _end(workers)
+    _end(workers)
 
-    def end(done: int, size: int, bad: int) -> None:
+
+def test_all_workers_gone(last_worker: tuple[str, Callable[[], None]], tmp_path: Path) -> None:
+    address, end = last_worker
+
+    def progress(done: int, size: int, bad: int) -> None:
         if done:
-            _end(workers)
+            end()
 
-    try:
-        with workers_of(address) as client, pytest.raises(KugelpendelError) as raised:
-            kp.sweep(averaged(), tmp_path, client, progress=end)
-    finally:
-        _end(workers)
+    with workers_of(address) as client, pytest.raises(KugelpendelError) as raised:
+        kp.sweep(averaged(), tmp_path, client, progress=progress)
     assert str(raised.value).startswith(f"All workers of the scheduler at {address} have vanished")
 
 
 def test_a_result_that_was_with_the_last_worker(
-    scheduler: tuple[subprocess.Popen[str], str],
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
+    last_worker: tuple[str, Callable[[], None]], tmp_path: Path
 ) -> None:
-    _, address = scheduler
-    monkeypatch.setattr(_cluster, "_GRACE", 1.0)
-    monkeypatch.setattr(_cluster, "_ANSWER", STARTS)
-    workers = [_worker(address, "1")]
-    try:
-        with workers_of(address) as client, kept_store(tmp_path, averaged(), lambda: 2) as store:
-            future = client.submit(_cluster.do_chunk, str(store.path), 0, pure=False)
-            _wait(lambda: future.status == "finished")
-            _end(workers)
-            with pytest.raises(KugelpendelError, match="have vanished"):
-                _cluster._result(future, client, store)
-    finally:
-        _end(workers)
+    address, end = last_worker
+    with workers_of(address) as client, kept_store(tmp_path, averaged(), lambda: 2) as store:
+        future = client.submit(_cluster.do_chunk, str(store.path), 0, pure=False)
+        _wait(lambda: future.status == "finished")
+        end()
+        with pytest.raises(KugelpendelError, match="have vanished"):
+            _cluster._result(future, client, store)
 
 
 def _worker(address: str, threads: str) -> subprocess.Popen[str]:
